@@ -71,7 +71,9 @@ struct Drawing {
     std::vector<DrawnElement> elements{};
 
     void line(DVec2 from, DVec2 to, double width_px, Color color);
-    void dashed_line(DVec2 from, DVec2 to, double width_px, Color color);
+
+    // `begun` is the length of the line before, whose dashes this one continues (px).
+    void dashed_line(DVec2 from, DVec2 to, double width_px, Color color, double begun = 0.0);
     void arrow(DVec2 from, DVec2 to, double width_px, Color color);  // with its head at `to`
     void polyline(const std::vector<DVec2>& points, double width_px, Color color);
     void polygon(std::vector<DVec2> points, Color fill, double outline_width, Color outline);

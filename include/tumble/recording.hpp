@@ -124,7 +124,7 @@ struct ReplayPair {
     std::string title;
     std::string name_a, name_b;
     std::optional<std::uint64_t> first_difference{};  // its step
-    std::vector<double> distances{};                  // [step], m: the largest of a body in both runs
+    std::vector<double> distances{};                  // [step], m: the largest in x or y of a body in both
     std::vector<double> energies_a{}, energies_b{};   // [step], J; NaN where they are not known
 };
 

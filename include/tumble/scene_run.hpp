@@ -114,7 +114,7 @@ public:
     std::vector<std::byte> save(const Scene& scene) const;
 
     // Throws SceneError as the constructor does, and SnapshotError for bytes that are no whole saved run, or one of a
-    // scene with another scene_hash().
+    // scene with another scene_hash(), apart from the duration, which may change.
     static SceneRun load(const Scene& scene, std::span<const std::byte> saved);
 
     // Whether an event of the timeline has ended the run: its state stays, and step() must not be called again.

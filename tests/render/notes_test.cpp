@@ -46,7 +46,7 @@ TEST_CASE("the plate of a note is above its point, and moved into the frame at i
     REQUIRE(middle.list.notes.boxes.size() == 1);
     const BoxInstance& plate = middle.list.notes.boxes[0];
     CHECK(near(plate.x, 0.0f, absolute(0.5f)));
-    CHECK(near(plate.y - plate.half_y - plate.radius, 3.5f, absolute(0.5f)));  // 7 pixels at 720 rows
+    CHECK(near(plate.y - plate.half_y - plate.radius, 5.25f, absolute(0.5f)));  // 7 pixels at 720 rows
     CHECK(middle.list.notes.glyphs.size() == 6);
 
     const Plates corner({.notes = {{.text = "a longer text", .position = DVec2{16.0, 9.0}}}}, s.built);

@@ -64,6 +64,19 @@ TEST_CASE("a run that is saved at any step continues as if it had not been") {
     }
 }
 
+TEST_CASE("a saved run continues in a scene with another duration and other claims") {
+    Scene scene = eventful_scene();
+    SceneRun run(scene);
+    for (int i = 0; i < 30; ++i) run.step();
+    const std::vector<std::byte> saved = run.save(scene);
+    scene.world.duration += 3.0;
+    scene.expect.emplace_back().max_penetration = 0.1;
+    SceneRun continued = SceneRun::load(scene, saved);
+    run.step();
+    continued.step();
+    CHECK(trace_of(continued) == trace_of(run));
+}
+
 TEST_CASE("a saved run of another scene, or one that is damaged, is refused") {
     const Scene scene = eventful_scene();
     SceneRun run(scene);

@@ -72,6 +72,11 @@ inline std::vector<UnhealthyScene> unhealthy_scenes() {
             {"every": 0.0333333333, "from": 0.0166666667, "body": "table", "velocity": [-0.3, 0]}])",
          box("table", "[0, 0.5]", "[4, 1]", "rubber", R"(, "type": "kinematic")") + ", " +
              box("shaken", "[0, 1.5]", "[1, 1]", "rubber", rows)},
+        {"a pot that slips on a tray, with a slow step between its directions", "jitter", "pot",
+         R"("timeline": [{"every": 0.0666666667, "body": "tray", "velocity": [0.22, 0]},
+            {"every": 0.0666666667, "from": 0.0333333333, "body": "tray", "velocity": [-0.22, 0]}])",
+         box("tray", "[1, 0.4]", "[5, 0.4]", "grip", R"(, "type": "kinematic")") + ", " +
+             box("pot", "[1, 1]", "[0.8, 0.8]", "grip")},
         {"a chain of too few steps under a large gravity", "jitter", "link[5]",
          R"("joints": [{"type": "revolute", "name": "top", "bodies": ["post", "link[0]"], "anchors": [[0, 0], [-0.25, 0]]},
             {"type": "revolute", "name": "hinge", "bodies": ["link[0]", "link[1]"], "anchors": [[0.25, 0], [-0.25, 0]], "repeat": {"columns": 7}},
@@ -92,6 +97,9 @@ inline std::vector<UnhealthyScene> unhealthy_scenes() {
          box("arm", "[1, 10]", "[2, 0.2]", "wood")},
         {"a heavy body on a light one", "mass_ratio", "cushion", "",
          box("cushion", "[0, 0.5]", "[1, 1]", "wood") + ", " + box("safe", "[0, 1.5]", "[1, 1]", "iron")},
+        {"a heavy table on two light legs", "mass_ratio", "leg[0]", "",
+         box("leg", "[-1, 0.5]", "[0.3, 1]", "foam", R"(, "repeat": {"grid": {"columns": 2, "spacing": [2, 0]}})") +
+             ", " + box("top", "[0, 1.03]", "[3, 0.06]", "iron")},
         {"a body that must not sleep", "sleepless", "guest", "",
          box("crate", "[0, 0.5]", "[1, 1]", "wood", rows) + ", " +
              box("guest", "[0, 3.5]", "[1, 1]", "wood", R"(, "allow_sleep": false)")},
@@ -127,7 +135,8 @@ inline std::string text_of(const UnhealthyScene& scene) {
     return R"({"format": 1, "name": "unhealthy", "world": {"duration": )" + std::to_string(scene.seconds) +
            scene.world +
            R"(}, "materials": {"wood": {}, "foam": {"density": 0.1}, "stone": {"density": 3}, "iron": {"density": 200},
-           "lead": {"density": 10000}, "ice": {"friction": 0}, "rubber": {"friction": 2}}, "bodies": [
+           "lead": {"density": 10000}, "ice": {"friction": 0}, "rubber": {"friction": 2},
+           "grip": {"friction": 1.5}}, "bodies": [
            {"name": "floor", "type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [40, 1]}}]},
            {"name": "hook", "type": "static", "position": [0, 10], "shapes": [{"circle": {"radius": 0.1}}]}, )" +
            scene.bodies + "]" + (scene.rest.empty() ? "" : ", " + scene.rest) + "}";

@@ -173,7 +173,7 @@ TEST_CASE("the page of compare plays both runs, with their own poses and the num
     CHECK(found[0][4] == 20);  // 1 cm, the tolerance of engines, after 20 steps, within the rounding of Box2D's float
     CHECK(found[1][0] == "</script><img src=x>");
     CHECK(found[1][1].get<std::string>().starts_with("tumble "));
-    CHECK(found[1][2].get<std::string>().starts_with("Largest distance of a body in both: 0.05"));
+    CHECK(found[1][2].get<std::string>().starts_with("Largest difference in x or y: 0.05"));
     CHECK(found[1][3] == "1.00 s step 100 of 100");
     CHECK(found[2][0][0][0] != found[2][0][1][0]);  // beside each other
     CHECK(found[2][1][0] == found[2][1][1]);        // over each other

@@ -82,11 +82,35 @@ TEST_CASE("--loop writes a GIF of each scene, which the page shows") {
     CHECK(run_tumble(command).code == 4);
     CHECK(run_tumble({"gallery", one, "-o", out, "--loop", "0.01"}).code == 2);
     const std::string none = (folder / "none").string();
-    const Answer large = run_tumble({"gallery", one, two, "-o", none, "--size", "1920x1080", "--loop", "60"});
+    const std::vector<std::string> sizes{"-o", none, "--size", "1920x1080", "--loop", "60"};
+    std::vector<std::string> alone{"gallery", one};
+    alone.insert(alone.end(), sizes.begin(), sizes.end());
+    const Answer large = run_tumble(alone);
     CHECK(large.code == 2);
     CHECK(large.err.find("--loop: a GIF of this length and size needs 10 GB of memory") != std::string::npos);
     CHECK(large.err.find("one.json") == std::string::npos);  // refused before any scene, not by each
     CHECK_FALSE(std::filesystem::exists(none));
+}
+
+TEST_CASE("the memory of all loops that are made at a time is limited") {
+    const Folder folder;
+    const std::string one = folder.write("one.json", scene_of("one", "ball.y > 0"));
+    const std::string none = (folder / "none").string();
+    // A loop of 20 s has 401 frames of 640 x 360 pixels: 0.37 GB. Eleven of them have 4.06 GB.
+    const auto gallery = [&](std::size_t scenes, const std::string& jobs) {
+        std::vector<std::string> command{"gallery", "-o", none, "--size", "640x360", "--loop", "20", "--jobs", jobs};
+        command.insert(command.end(), scenes, one);
+        return run_tumble(command);
+    };
+    const Answer refused = gallery(12, "11");
+    CHECK(refused.code == 2);
+    CHECK_MESSAGE(
+        refused.err.find("--loop: 11 GIFs of this length and size at a time need 4.1 GB of memory, more than 4 GB") !=
+            std::string::npos,
+        refused.err);
+    CHECK(refused.err.find("lower --jobs") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(none));
+    CHECK(gallery(1, "11").code == 0);  // one at a time
 }
 
 TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {

@@ -156,3 +156,35 @@ TEST_CASE("dashes are drawn in view only, however far a user zooms") {
                            .at(0);
     CHECK(found == json::parse("[true, true]"));
 }
+
+TEST_CASE("static bodies are hatched as in frames, and the lines stay with the world") {
+    const Folder folder;
+    json scene = json::parse(tumble::test::small_scene());
+    const std::string plain = make_page(folder, folder.write("plain.json", scene.dump()));
+    scene["camera"]["style"] = json{{"hatching", true}};
+    const std::string hatched = make_page(folder, folder.write("hatched.json", scene.dump()));
+    // Pixels of the ground where px + py is that of the origin plus k lines of 12 sqrt 2, or half a line beside it:
+    // how many have the colour of the body.
+    const std::string ask = R"({ const p = replay.player, c = p.camera, context = p.painter.context, shares = [];
+        p.setTheme("light");
+        p.on.joints = false;
+        for (const move of [[0, 0], [0.37, 0.11]]) {
+          c.moveTo(move[0], move[1]);
+          c.scale = 200;
+          p.seek(0);
+          p.draw();
+          const [ox, oy] = c.pixels(0, 0), fill = p.painter.theme.paint(p.run.bodies[0].shapes[0][1], true, false).fill;
+          const isFill = (x, y) => {
+            const d = context.getImageData(Math.floor(x), Math.floor(y), 1, 1).data;
+            return channels(fill).every((value, i) => Math.abs(value - d[i]) <= 1);
+          };
+          for (const beside of [0, 0.5]) {
+            let plain = 0;
+            for (let k = 1; k <= 20; k++) plain += isFill(ox + (k + beside) * 12 * Math.SQRT2 - 60, oy + 60);
+            shares.push(plain);
+          }
+        }
+        return shares; })";
+    CHECK(browse({"ask", plain, ask}).at(0) == json::parse("[20, 20, 20, 20]"));
+    CHECK(browse({"ask", hatched, ask}).at(0) == json::parse("[0, 20, 0, 20]"));
+}

@@ -60,10 +60,7 @@ ExitCode gallery_code(const std::vector<GalleryEntry>& entries) {
     return code;
 }
 
-// Before anything is simulated.
-void require_loops(const GalleryOptions& settings, bool force) {
-    require_loop(settings);
-    const std::filesystem::path& folder = settings.loops;
+void require_new_loops(const std::filesystem::path& folder, bool force) {
     std::error_code ignored;
     if (!force && !std::filesystem::is_empty(folder, ignored) && !ignored)
         throw FileError(folder, "is not empty; choose another --output, or replace its loops with --force");
@@ -74,9 +71,13 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     for (const std::filesystem::path& file : {page, sheet}) refuse_to_overwrite(file, options.force);
     GalleryOptions settings = options.gallery;
     settings.loops = options.folder / kLoopFolder;
-    if (settings.loop) require_loops(settings, options.force);
+    const std::vector<std::string> scenes = without_schemas(options.files);
+    if (settings.loop) {
+        require_loops(settings, scenes.size());
+        require_new_loops(settings.loops, options.force);
+    }
     catch_interrupts();
-    const std::vector<GalleryEntry> entries = make_gallery(without_schemas(options.files), settings);
+    const std::vector<GalleryEntry> entries = make_gallery(scenes, settings);
     if (is_interrupted()) return interruption_code();
     std::vector<std::filesystem::path> files{page};
     write_file(page, gallery_page(entries), options.force);

@@ -68,11 +68,12 @@ void add_largest(HtmlPage& page, const ComparedRuns& runs) {
 }
 
 void add_plots(HtmlPage& page, const ComparedRuns& runs) {
+    constexpr int kPlotWidth = 600, kPlotHeight = 330;  // px: two in a row of the page
     page.begin_figures();
-    page.figure(distance_plot(runs, 620, 330));
-    page.figure(growth_plot(runs, 620, 330));
+    page.figure(distance_plot(runs, kPlotWidth, kPlotHeight));
+    page.figure(growth_plot(runs, kPlotWidth, kPlotHeight));
     const bool has_energy = std::isfinite(runs.steps.front().energy_a) || std::isfinite(runs.steps.front().energy_b);
-    if (has_energy) page.figure(energy_plot(runs, 620, 330));
+    if (has_energy) page.figure(energy_plot(runs, kPlotWidth, kPlotHeight));
     page.end_figures();
 }
 

@@ -27,15 +27,18 @@ public:
     }
 
     Image draw(const Camera& camera, double time) {
-        const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
-                                          draw_one(*sources_.b, sources_.name_b, camera, time)};
+        std::vector<std::string> caption_b = sources_.notes;
+        caption_b.insert(caption_b.begin(), sources_.name_b);
+        const std::array<Image, 2> images{draw_one(*sources_.a, {sources_.name_a}, camera, time),
+                                          draw_one(*sources_.b, caption_b, camera, time)};
         return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kPairGap, behind_);
     }
 
 private:
-    Image draw_one(const StateSource& source, const std::string& name, const Camera& camera, double time) {
+    Image draw_one(const StateSource& source, const std::vector<std::string>& caption, const Camera& camera,
+                   double time) {
         Image image;
-        const Marking marking{.caption = pictures_.is_overlaid ? std::vector<std::string>{} : std::vector{name}};
+        const Marking marking{.caption = pictures_.is_overlaid ? std::vector<std::string>{} : caption};
         renderer_.draw(*source.scene(), *source.built(), camera, time, image, overlay_, marking);
         return image;
     }

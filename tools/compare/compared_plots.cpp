@@ -17,7 +17,7 @@ double distance_of(const ComparedStep& step) { return step.largest[kPosition].va
 }  // namespace
 
 Plot distance_plot(const ComparedRuns& runs, int width, int height) {
-    Plot plot{.title = "Largest distance of a body in both, m",
+    Plot plot{.title = "Largest difference of a body in x or y, m",
               .x = {.label = "time, s"},
               .y = {},
               .series = {line_of("", Ink::violet, runs, distance_of)},

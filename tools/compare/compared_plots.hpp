@@ -6,10 +6,10 @@
 
 namespace tumble::tools {
 
-// The largest distance of a body in both runs, and a dashed line where they first differ.
+// The largest difference of a body in x or y, as `diff` has it, and a dashed line where they first differ.
 Plot distance_plot(const ComparedRuns& runs, int width, int height);
 
-// That distance and the largest difference of a velocity, logarithmic.
+// The same and the largest difference of a velocity, logarithmic.
 Plot growth_plot(const ComparedRuns& runs, int width, int height);
 
 // The kinetic and potential energies of both runs.

@@ -70,10 +70,13 @@ void draw(GalleryEntry& entry, std::size_t number, const GalleryOptions& options
 
 }  // namespace
 
-void require_loop(const GalleryOptions& options) {
+void require_loops(const GalleryOptions& options, std::size_t scenes) {
     require_encoder();
     const FrameSchedule schedule{*options.loop, kLoopRate, kLoopRate};
-    require_memory(loop_settings(options), schedule.frame_count(), "--loop", "lower --size, or shorten the loops");
+    const std::size_t at_a_time = std::min(scenes, static_cast<std::size_t>(options.check.threads));
+    require_memory(
+        loop_settings(options), schedule.frame_count(), at_a_time, "--loop",
+        at_a_time == 1 ? "lower --size, or shorten the loops" : "lower --jobs or --size, or shorten the loops");
 }
 
 std::vector<GalleryEntry> make_gallery(const std::vector<std::string>& files, const GalleryOptions& options) {

@@ -1,6 +1,7 @@
 // Many scenes at a glance: a picture, the claims and the timings of each.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,9 +34,9 @@ struct GalleryEntry {
     std::string picture_error;   // why there is none, if the scene itself has no error
 };
 
-// Throws RenderError without an encoder, and CLI::ValidationError if a loop would need too much memory. To be called
-// once before make_gallery(), if there are loops.
-void require_loop(const GalleryOptions& options);
+// Throws RenderError without an encoder, and CLI::ValidationError if the loops of so many scenes, as many at a time as
+// there are threads, would need too much memory. To be called once before make_gallery(), if there are loops.
+void require_loops(const GalleryOptions& options, std::size_t scenes);
 
 // Checks and draws each scene, and writes its loop. Errors of a scene are part of its entry. The entries are in the
 // order of the files.

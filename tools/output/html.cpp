@@ -14,6 +14,7 @@ constexpr std::string_view kLight = "--ground: #fff; --faint: #546e7a; --code: #
 constexpr std::string_view kDark = "--ground: #14191d; --faint: #9fb0ba; --code: #1d252a; --good: #7cc980;";
 constexpr std::string_view kStyle = R"(
 body { font: 15px/1.5 "DejaVu Sans", Verdana, sans-serif; color: var(--text); background: var(--ground); margin: 2.5rem auto; max-width: 1280px; padding: 0 1.5rem; }
+h1, h2 { overflow-wrap: anywhere; }
 h1 { font-size: 1.7rem; margin: 0 0 1rem; } h2 { font-size: 1.25rem; margin: 2.2rem 0 .6rem; }
 p { max-width: 62rem; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; margin: .8rem 0; }
@@ -23,11 +24,12 @@ td.number { white-space: nowrap; }
 th.number, td.number { text-align: right; } .alarm { color: var(--limit); font-weight: bold; } .good { color: var(--good); font-weight: bold; }
 .scroll { overflow-x: auto; }
 figure { margin: 1rem 0; } figure svg, figure img { max-width: 100%; height: auto; border: 1px solid var(--rule); }
-.figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; }
+.figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; min-width: 0; }
 figcaption { font-size: 13px; color: var(--faint); max-width: 62rem; }
 iframe { width: 100%; border: 1px solid var(--rule); }
-pre { background: var(--code); padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
+pre { background: var(--code); padding: .6rem .8rem; white-space: pre-wrap; overflow-wrap: anywhere; font-size: 12px; }
 details { margin: .6rem 0; } summary { cursor: pointer; }
+@media (max-width: 760px) { body { margin: 1rem auto; padding: 0 .8rem; } h1 { font-size: 1.35rem; } h2 { font-size: 1.1rem; } }
 )";
 
 std::string style() {
@@ -106,8 +108,10 @@ void HtmlPage::begin_details(std::string_view summary) { body_ += "<details>" + 
 void HtmlPage::end_details() { body_ += "</details>\n"; }
 
 std::string HtmlPage::str() const {
-    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + element("title", title_) +
-           "<style>" + style() + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
+    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+           element("title", title_) + "<style>" + style() + "</style>\n</head>\n<body>\n" + body_ +
+           "</body>\n</html>\n";
 }
 
 }  // namespace tumble::tools

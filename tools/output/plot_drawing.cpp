@@ -89,7 +89,7 @@ private:
         else if (series.mark == Mark::points)
             drawing_.disc(at(x + 9.0, y - 4.0), 3.5, ink);
         else
-            stroke({at(x, y - 4.0), at(x + 18.0, y - 4.0)}, series.mark, ink);
+            stroke({at(x, y - 4.0), at(x + 18.0, y - 4.0)}, series.mark, ink, 0.0);
     }
 
     void axes() {
@@ -107,13 +107,12 @@ private:
         rectangle(drawing_, area().lower, area().upper, kTransparent, 1.0, color(kHeadColor));
     }
 
-    void stroke(const std::vector<DVec2>& points, Mark mark, Color ink) {
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            if (mark == Mark::dashed)
-                drawing_.dashed_line(points[i - 1], points[i], kLineWidth, ink);
-            else
-                drawing_.line(points[i - 1], points[i], kLineWidth, ink);
-        }
+    // `begun` is the length of the line before this part of it.
+    void stroke(const Segment& part, Mark mark, Color ink, double begun) {
+        if (mark == Mark::dashed)
+            drawing_.dashed_line(part.from, part.to, kLineWidth, ink, begun);
+        else
+            drawing_.line(part.from, part.to, kLineWidth, ink);
     }
 
     void draw(const PlotSeries& series) {
@@ -132,10 +131,15 @@ private:
             }
             return;
         }
-        for (const std::vector<DVec2>& line : layout_.lines(series))
-            for (std::size_t i = 1; i < line.size(); ++i)
-                if (const auto shown = clipped(at(line[i - 1].x, line[i - 1].y), at(line[i].x, line[i].y), box))
-                    stroke({shown->from, shown->to}, series.mark, ink);
+        for (const std::vector<DVec2>& line : layout_.lines(series)) {
+            double begun = 0.0;
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                const DVec2 from = at(line[i - 1].x, line[i - 1].y), to = at(line[i].x, line[i].y);
+                if (const auto shown = clipped(from, to, box))
+                    stroke(*shown, series.mark, ink, begun + length(shown->from - from));
+                begun += length(to - from);
+            }
+        }
     }
 
     Drawing& drawing_;

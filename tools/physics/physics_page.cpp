@@ -65,7 +65,7 @@ void add_summary(HtmlPage& page, const PhysicsResult& result) {
             cells.push_back(plain(with_unit(*finding)));
             cells.push_back(plain(finding->condition));
             cells.push_back(finding_number(finding->exact.value_or(NAN)));
-            cells.push_back(plain(bar_text(finding->bar)));
+            cells.push_back({.text = bar_text(finding->bar), .is_number = true});
             cells.push_back(engine_value(*finding, Engine::tumble));
             cells.push_back(engine_value(*finding, Engine::at_step_end));
             cells.push_back(engine_value(*finding, Engine::box2d));

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kVersion = 4;
+constexpr std::uint64_t kVersion = 5;
 
 void write_view_state(JsonWriter& json, const FrameOutput::State& state) {
     json.key("trails").open_array();
@@ -48,6 +48,7 @@ void write_view_state(JsonWriter& json, const FrameOutput::State& state) {
 std::string header_of(const Checkpoint& checkpoint) {
     JsonWriter json(JsonWriter::Layout::compact);
     json.open_object().member("checkpoint", kVersion).member("settings", checkpoint.settings);
+    json.member("pictures", checkpoint.pictures);
     json.key("tables").open_array();
     for (const SavedTable& table : checkpoint.tables)
         json.open_object()
@@ -108,6 +109,7 @@ Checkpoint read_header(const Json& json) {
     Checkpoint checkpoint;
     if (whole(json.at("checkpoint")) != kVersion) throw InputError("it is of another version");
     checkpoint.settings = json.at("settings").get<std::string>();
+    checkpoint.pictures = whole(json.at("pictures"));
     for (const Json& table : json.at("tables"))
         checkpoint.tables.push_back({table.at("kind").get<std::string>(),
                                      file_name(table.at("temporary")),
@@ -173,7 +175,7 @@ std::vector<TableName> tables_of(const RunOptions& options) {
     return tables;
 }
 
-std::string settings_of(const Scene& scene, const RunOptions& options) {
+std::string settings_of(const RunOptions& options) {
     std::string text = "no frames";
     if (!options.no_frames) {
         append_number(text = "frames ", options.frames_per_second);
@@ -187,12 +189,10 @@ std::string settings_of(const Scene& scene, const RunOptions& options) {
             if (options.overlay.*part.member) text += " " + std::string(part.name);
         for (const OverlayPart& part : kFrameParts)
             if (!(options.overlay.*part.member)) text += " without " + std::string(part.name);
-        const SceneStyle& style = scene.camera.style;
         for (const ThemeName& theme : kThemes)
-            if (options.overlay.theme.value_or(style.theme) == theme.theme) text += " theme " + std::string(theme.name);
-        if (!style.outlines) text += " without outlines";
-        if (style.hatching) text += " hatching";
-        if (style.shadows) text += " shadows";
+            if (options.overlay.theme == theme.theme) text += " theme " + std::string(theme.name);
+        for (const BackendName& backend : kBackends)
+            if (options.renderer == backend.backend) text += " renderer " + std::string(backend.name);
     }
     for (const TableName& table : tables_of(options)) text += ", " + table.kind + " " + table.file.filename().string();
     return text;
@@ -204,6 +204,15 @@ SceneRun load_run(const Scene& scene, const Checkpoint& saved, const fs::path& f
     } catch (const SnapshotError& error) {
         throw InputError(checkpoint_file(folder).string() + ": " + error.what());
     }
+}
+
+void require_pictures(const Checkpoint& saved, std::uint64_t pictures, const fs::path& folder) {
+    if (saved.pictures != pictures)
+        throw InputError(checkpoint_file(folder).string() +
+                         ": the frames before it look different: the name, the camera, the style, notes, colours, "
+                         "trails, skins or images of the scene were changed, or its duration, to which the view is "
+                         "fitted. Restore them (--duration lengthens the run and keeps the view), or begin the run "
+                         "again with --force");
 }
 
 void keep_tables(const Checkpoint& saved, const RunOptions& options) {

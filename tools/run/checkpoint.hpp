@@ -34,7 +34,8 @@ struct SavedTable {
 };
 
 struct Checkpoint {
-    std::string settings;  // settings_of() the interrupted run
+    std::string settings;        // settings_of() the interrupted run
+    std::uint64_t pictures = 0;  // its picture_hash(); 0 without frames
     std::vector<SavedTable> tables;
     std::uint64_t frames = 0;       // drawn so far
     std::uint64_t frame_bytes = 0;  // of their files
@@ -53,12 +54,15 @@ Checkpoint parse_checkpoint(std::string_view text);
 // begun with other settings.
 Checkpoint read_checkpoint(const std::filesystem::path& folder, const std::string& settings);
 
-// The options, and the style of the scene's frames, that a run and its continuation must have in common: "frames 60/s
-// 1280x720 theme light, trajectory t.csv". Of tables it has the names without their folders.
-std::string settings_of(const Scene& scene, const RunOptions& options);
+// The options that a run and its continuation must have in common: "frames 60/s 1280x720 theme dark renderer auto,
+// trajectory t.csv". Of tables it has the names without their folders.
+std::string settings_of(const RunOptions& options);
 
 // Throws InputError if the checkpoint is damaged or belongs to another scene, SceneError as SceneRun does.
 SceneRun load_run(const Scene& scene, const Checkpoint& saved, const std::filesystem::path& folder);
+
+// Throws InputError if frames with this picture_hash() would differ from those before the checkpoint.
+void require_pictures(const Checkpoint& saved, std::uint64_t pictures, const std::filesystem::path& folder);
 
 // Renames each temporary table of the interrupted run to earlier_part_of() the table, and removes its other temporary
 // files. The caller holds the lock of the folder.

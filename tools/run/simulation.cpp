@@ -17,6 +17,7 @@
 #include "tools/health/lost_bodies.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/pictures/picture_hash.hpp"
 #include "tools/run/checkpoint.hpp"
 #include "tools/run/folder_lock.hpp"
 #include "tools/run/frame_output.hpp"
@@ -86,6 +87,7 @@ private:
     Stopwatch since_checkpoint_;
     std::optional<Checkpoint> resumed_;
     std::uint64_t first_step_ = 0;  // of this process
+    std::uint64_t pictures_ = 0;    // of a checkpoint
     RunReport report_;
 };
 
@@ -156,9 +158,12 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     require_files_to_continue(options);
     const bool force = options.force || options.resume;
     std::optional<SceneRun> loaded;
+    if ((options.checkpoint || options.resume) && options.draws())
+        pictures_ = picture_hash(scene, make_camera(scene, run_.built(), options.size.aspect_ratio()));
     if (options.resume) {
-        resumed_ = read_checkpoint(options.folder, settings_of(scene, options));
+        resumed_ = read_checkpoint(options.folder, settings_of(options));
         loaded = load_run(scene, *resumed_, options.folder);
+        require_pictures(*resumed_, pictures_, options.folder);
         require_time_left(*loaded, schedule_);
     }
     for (const std::filesystem::path* const file : named_files(options))
@@ -204,7 +209,8 @@ std::vector<OpenTable> Simulation::open_tables() {
 
 void Simulation::save_checkpoint() {
     Checkpoint checkpoint;
-    checkpoint.settings = settings_of(scene_, options_);
+    checkpoint.settings = settings_of(options_);
+    checkpoint.pictures = pictures_;
     if (frames_) {
         checkpoint.frame_bytes = frames_->finish_frames().bytes;
         checkpoint.frames = frames_->drawn();

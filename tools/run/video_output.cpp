@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tools/cli/output_path.hpp"
+#include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
 
@@ -19,7 +20,12 @@ VideoFormat format_of(const std::filesystem::path& file) {
                                "the name of a video ends in .mp4, .webm, .gif or .apng, got " + file.string());
 }
 
-std::string gigabytes(double bytes) { return std::to_string(std::llround(bytes / 1e9)) + " GB"; }
+// With one digit after the point, rounded up: what exceeds a limit is shown as more than it.
+std::string gigabytes(double bytes) {
+    std::string text;
+    append_number(text, std::ceil(bytes / 1e8) / 10.0);
+    return text + " GB";
+}
 
 }  // namespace
 
@@ -33,12 +39,15 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
     return {.format = format, .width = size.width, .height = size.height, .frames_per_second = frames_per_second};
 }
 
-void require_memory(const VideoSettings& settings, std::uint64_t frames, const std::string& option,
+void require_memory(const VideoSettings& settings, std::uint64_t frames, std::size_t count, const std::string& option,
                     const std::string& remedy) {
-    const double bytes = 4.0 * settings.width * settings.height * static_cast<double>(frames);
-    if (settings.format == VideoFormat::gif && bytes > kMostGifBytes)
-        throw CLI::ValidationError(option, "a GIF of this length and size needs " + gigabytes(bytes) +
-                                               " of memory, more than " + gigabytes(kMostGifBytes) + ": " + remedy);
+    const double pixels = 1.0 * settings.width * settings.height * static_cast<double>(frames);
+    const double bytes = 4.0 * pixels * static_cast<double>(count);
+    if (settings.format != VideoFormat::gif || bytes <= kMostGifBytes) return;
+    const std::string subject = count == 1 ? "a GIF of this length and size needs "
+                                           : std::to_string(count) + " GIFs of this length and size at a time need ";
+    throw CLI::ValidationError(
+        option, subject + gigabytes(bytes) + " of memory, more than " + gigabytes(kMostGifBytes) + ": " + remedy);
 }
 
 VideoWriter start_video(const std::filesystem::path& file, const VideoSettings& settings) {

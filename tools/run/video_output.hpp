@@ -1,6 +1,7 @@
 // The file of a video: what its name and its size allow.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -17,9 +18,10 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
 // ffmpeg keeps all frames of a GIF until it knows the colours of the last one, at four bytes a pixel.
 inline constexpr double kMostGifBytes = 4e9;
 
-// Throws CLI::ValidationError if a GIF would need more memory than kMostGifBytes. `option` and `remedy` are named in
-// its message.
-void require_memory(const VideoSettings& settings, std::uint64_t frames, const std::string& option = "--video",
+// Throws CLI::ValidationError if GIFs of so many frames, `count` of them written at a time, would need more memory than
+// kMostGifBytes. `option` and `remedy` are named in its message.
+void require_memory(const VideoSettings& settings, std::uint64_t frames, std::size_t count = 1,
+                    const std::string& option = "--video",
                     const std::string& remedy = "lower --size, --fps or --duration, or write an .mp4");
 
 // Creates the folder of the file and starts the encoder. Throws RenderError and FileError.

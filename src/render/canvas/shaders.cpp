@@ -14,11 +14,12 @@ vec2 corner() { return vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0; }
 )";
 
 // An instance is drawn as the rectangle around it, grown by the half pixel over which its edge is blended. Small shapes
-// have thinner outlines, so that their fill stays visible.
+// have thinner outlines, so that their fill stays visible. Each pixel computes its point in the instance's coordinates:
+// a value that the rasteriser interpolates over a thin rectangle differs between back ends.
 const std::string kInstanceHead = kVertexHead + R"(
 layout(location = 0) in vec4 fill;
 layout(location = 1) in vec4 outline;
-noperspective out vec2 point;
+flat out vec4 placed;  // the center, counted from the lower left corner of the frame, and the axis
 flat out vec4 fill_color;
 flat out vec4 outline_color;
 flat out float edge_width;
@@ -30,7 +31,8 @@ void paint(float smallest_half) {
 }
 
 void place(vec2 center, vec2 axis, vec2 half_size) {
-    point = corner() * (half_size + 0.5);
+    placed = vec4(center + 0.5 * round(2.0 / to_clip), axis);
+    vec2 point = corner() * (half_size + 0.5);
     gl_Position = clip_position(center + point.x * axis + point.y * vec2(-axis.y, axis.x));
 }
 )";
@@ -45,10 +47,16 @@ vec4 painted(float depth) {
 )";
 
 const std::string kFragmentHead = R"(#version 330 core
-noperspective in vec2 point;
+flat in vec4 placed;
 flat in vec4 fill_color;
 flat in vec4 outline_color;
 flat in float edge_width;
+
+// The middle of the pixel, in the coordinates of the instance.
+vec2 pixel_point() {
+    vec2 offset = gl_FragCoord.xy - placed.xy, axis = placed.zw;
+    return vec2(dot(offset, axis), dot(offset, vec2(-axis.y, axis.x)));
+}
 )" + kPainted;
 
 const std::string kPolygonHead = kInstanceHead + R"(
@@ -76,7 +84,7 @@ void main() {
             kFragmentHead + R"(
 flat in float radius;
 
-void main() { color = painted(length(point) - radius); }
+void main() { color = painted(length(pixel_point()) - radius); }
 )"};
 }
 
@@ -97,7 +105,7 @@ void main() {
 flat in vec3 core;
 
 void main() {
-    vec2 beyond = abs(point) - core.xy;
+    vec2 beyond = abs(pixel_point()) - core.xy;
     color = painted(length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - core.z);
 }
 )"};
@@ -128,6 +136,7 @@ void main() {
 flat in vec3 edge[8];
 
 void main() {
+    vec2 point = pixel_point();
     float depth = dot(edge[0].xy, point) + edge[0].z;
     for (int i = 1; i < 8; ++i) depth = max(depth, dot(edge[i].xy, point) + edge[i].z);
     color = painted(depth);
@@ -154,6 +163,7 @@ flat in vec4 segment[8];
 flat in float radius;
 
 void main() {
+    vec2 point = pixel_point();
     float distance_sq = 1e30;
     float outside = -1e30;
     for (int i = 0; i < 8; ++i) {

@@ -2,6 +2,7 @@
 #include "tumble/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "debug/check.hpp"
@@ -11,13 +12,14 @@ void Drawing::line(DVec2 from, DVec2 to, double width_px, Color color) {
     elements.emplace_back(DrawnLine{from, to, width_px, color});
 }
 
-void Drawing::dashed_line(DVec2 from, DVec2 to, double width_px, Color color) {
+void Drawing::dashed_line(DVec2 from, DVec2 to, double width_px, Color color, double begun) {
     constexpr double kDash = 6.0, kPeriod = 10.0;  // px
     static_assert(kDash < kPeriod);
     const double total = length(to - from);
-    for (double start = 0.0; start < total; start += kPeriod) {
-        const double end = std::min(start + kDash, total);
-        line(from + (start / total) * (to - from), from + (end / total) * (to - from), width_px, color);
+    for (double dash = -std::fmod(begun, kPeriod); dash < total; dash += kPeriod) {
+        const double start = std::max(dash, 0.0), end = std::min(dash + kDash, total);
+        if (start < end)
+            line(from + (start / total) * (to - from), from + (end / total) * (to - from), width_px, color);
     }
 }
 

@@ -34,7 +34,7 @@ Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, con
     const PairDrawing pair(a, world_from_a, b, world_from_b);
     const TraceFigure figure = make_trace_figure(pair, trace);
     const int steps = static_cast<int>(trace.steps.size());
-    const bool encloses = trace.result.certificate.cores_overlap && steps > 0;
+    const bool encloses = trace.result.certificate.cores_overlap && !trace.result.reached_cap && steps > 0;
     const int panels = steps + (encloses ? 1 : 0) + (steps > 1 ? 1 : 0);
     const int rows = (panels + kMostColumns - 1) / kMostColumns;
     const int columns = rows > 0 ? std::max((panels + rows - 1) / rows, 2) : 1;

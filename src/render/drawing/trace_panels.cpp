@@ -77,6 +77,30 @@ void draw_found_vertices(Panel& panel, const TraceFigure& figure) {
     }
 }
 
+// True if the support vertex lies farther along the direction than the simplex by no more than rounding, which the
+// bounds of the result contain.
+bool is_no_farther(const TraceStep& step, const DistanceResult& result) {
+    const double progress = dot(step.direction, step.support_vertex - step.vertices[0]);
+    return progress <= (result.upper - result.lower) * length(step.direction);
+}
+
+// Why the loop ended with its last step: what the step shows, and whether an exhaustive search followed. An overlap has
+// a panel of its own.
+std::string end_caption(const DistanceTrace& trace) {
+    const TraceStep& last = trace.steps.back();
+    const DistanceResult& result = trace.result;
+    if (result.certificate.cores_overlap && !result.reached_cap) return "";
+    // The first support vertex is no step; those of an exhaustive search are none either.
+    const std::string then = result.iterations > trace.steps.size() + 1 ? ": all pairs searched" : ": done";
+    const auto simplex_end = last.simplex.begin() + last.count;
+    if (result.reached_cap) return ", limit reached" + then;
+    if (std::find(last.simplex.begin(), simplex_end, last.support) != simplex_end) return " again" + then;
+    if (is_no_farther(last, result)) return ", no farther" + then;
+    const bool is_raised = trace.steps.size() < 2 || last.lower > trace.steps[trace.steps.size() - 2].lower;
+    // A support that is farther, and raises the bound, ends the loop only if rounding puts the origin into the simplex.
+    return (is_raised ? ", origin inside" : ", no better bound") + then;
+}
+
 // The result of an iteration in one line.
 std::string step_caption(const TraceFigure& figure, std::size_t k) {
     TUMBLE_CHECK(k < figure.trace.steps.size());
@@ -85,8 +109,7 @@ std::string step_caption(const TraceFigure& figure, std::size_t k) {
     const std::string v = step.count == 1 ? "v: vertex " + figure.found.number(step.simplex[0])
                                           : "v: between " + figure.found.number(step.simplex[0]) + " and " +
                                                 figure.found.number(step.simplex[1]);
-    const bool is_last = k + 1 == figure.trace.steps.size() && !figure.trace.result.certificate.cores_overlap;
-    return v + "; support: " + support + (is_last ? ", no farther: done" : "");
+    return v + "; support: " + support + (k + 1 == figure.trace.steps.size() ? end_caption(figure.trace) : "");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Texts on pale plates, which keep them readable over bodies.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,11 +32,14 @@ public:
     static constexpr double kLineGap = 3.0;  // between lines, pixels at 720 rows
     static constexpr double kLine = 1.17;    // height of a line over the font's size
 
+    // The least View::detail() of texts: in smaller frames they keep a size that can be read, 9 px.
+    static constexpr double kLeastDetail = 0.75;
+
     // Plates have the colour of the background.
     Captions(Layer& layer, GlyphAtlas& atlas, const View& view, Color background)
         : layer_(layer), atlas_(atlas), view_(view), background_(background) {}
 
-    double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
+    double pixels(double at_720_rows) const { return at_720_rows * std::max(view_.detail(), kLeastDetail); }
 
     // Text with the top left corner of its line at (left, top).
     void text(std::string_view text, double size, double left, double top, Color color);

@@ -32,6 +32,7 @@ struct ReplayRecorder::Impl {
           notes(render::notes_json(scene.camera.notes)),
           theme(settings_.theme.value_or(scene.camera.style.theme)),
           is_theme_stated(settings_.theme || theme != Theme::light),
+          is_hatched(scene.camera.style.hatching),
           settings(settings_),
           quantum(render::position_quantum(scene.world.scale)),
           bodies(scene, quantum, fill_colors()),
@@ -100,6 +101,7 @@ struct ReplayRecorder::Impl {
                                     {"impulses_per_octave", render::kImpulsesPerOctave},
                                     {"aspect_ratio", settings.aspect_ratio},
                                     {"theme", is_theme_stated ? render::name_of(theme) : ""},
+                                    {"hatching", is_hatched},
                                     {"views", views.to_json()},
                                     {"island_colors", nlohmann::ordered_json::array()},
                                     {"shapes", bodies.shapes_json()},
@@ -128,6 +130,7 @@ struct ReplayRecorder::Impl {
     nlohmann::ordered_json notes;
     Theme theme;
     bool is_theme_stated;
+    bool is_hatched;
     ReplaySettings settings;
     double quantum;
     render::BodyTracks bodies;

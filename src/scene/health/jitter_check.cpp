@@ -21,7 +21,9 @@ struct JitterWindow {
     std::uint64_t reversals = 0;
     double fastest = 0.0;    // m/s, of a reversal
     DVec2 lower, upper;      // of the centre of mass
-    bool stays_held = true;  // it touched something or was joined in every step
+    DVec2 moving;            // the last velocity, m/s, and
+    double turning = 0.0;    // the last rotation, m/s at its farthest point, above the speed of rest
+    std::uint64_t held = 0;  // steps in which it touched something or was joined
 };
 
 class JitterCheck final : public HealthCheck {
@@ -36,7 +38,7 @@ public:
                 shaken_[i] = 0;
                 continue;
             }
-            observe_body(view, body, view.bodies_before()[i], windows_[i]);
+            observe_body(view, body, windows_[i]);
             if (windows_[i].steps < view.steps_to_sleep()) continue;
             shaken_[i] = shakes(body, windows_[i]) ? shaken_[i] + 1 : 0;
             if (shaken_[i] >= kPatientWindows) note(view, i);
@@ -49,24 +51,32 @@ public:
     }
 
 private:
-    static void observe_body(const HealthView& view, const SeenBody& body, const SeenBody& before,
-                             JitterWindow& window) {
+    static void observe_body(const HealthView& view, const SeenBody& body, JitterWindow& window) {
         if (window.steps++ == 0) window.lower = window.upper = body.center;
         window.lower = {std::min(window.lower.x, body.center.x), std::min(window.lower.y, body.center.y)};
         window.upper = {std::max(window.upper.x, body.center.x), std::max(window.upper.y, body.center.y)};
-        window.stays_held &= body.touches || !view.world().joints(body.id).empty();
-        const DVec2 now(body.state.velocity), last(before.state.velocity);
-        const double turn = double{body.state.angular_velocity} * body.reach;
-        const double last_turn = double{before.state.angular_velocity} * body.reach;
-        const double moving = dot(now, last) < 0.0 ? std::min(length(now), length(last)) : 0.0;
-        const double turning = turn * last_turn < 0.0 ? std::min(std::abs(turn), std::abs(last_turn)) : 0.0;
-        if (!(std::max(moving, turning) > double{view.limits().rest_speed})) return;
+        if (body.touches || !view.world().joints(body.id).empty()) ++window.held;
+        // Between two directions may be a step that is slow.
+        const double rest = double{view.limits().rest_speed};
+        const DVec2 moving(body.state.velocity);
+        const double turning = double{body.state.angular_velocity} * body.reach;
+        double reversed = 0.0;
+        if (length(moving) > rest) {
+            if (dot(moving, window.moving) < 0.0) reversed = std::min(length(moving), length(window.moving));
+            window.moving = moving;
+        }
+        if (std::abs(turning) > rest) {
+            if (turning * window.turning < 0.0)
+                reversed = std::max(reversed, std::min(std::abs(turning), std::abs(window.turning)));
+            window.turning = turning;
+        }
+        if (reversed == 0.0) return;
         ++window.reversals;
-        window.fastest = std::max({window.fastest, moving, turning});
+        window.fastest = std::max(window.fastest, reversed);
     }
 
     static bool shakes(const SeenBody& body, const JitterWindow& window) {
-        return window.stays_held && window.reversals > most_reversals(window) &&
+        return 2 * window.held > window.steps && window.reversals > most_reversals(window) &&
                length(window.upper - window.lower) <= kStay * body.smallest;
     }
 

@@ -11,16 +11,14 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kCarriedPart = 0.5;  // of the weight of the heavy body: the light one then carries most of it
-
 class MassCheck final : public HealthCheck {
 public:
     void observe(const HealthView& view) override {
         std::map<Pair, Load> loads;
         for (const ContactPoint& contact : view.contacts()) add(view, contact, loads);
         std::erase_if(loads, [&](const auto& entry) {
-            const double weight = view.bodies()[entry.first.first].mass * view.gravity() * view.step_duration();
-            return !(entry.second.impulse > kCarriedPart * weight);
+            const double weight = view.bodies()[entry.first.second].mass * view.gravity() * view.step_duration();
+            return !(entry.second.impulse > kLargeMassRatio * weight);
         });
         for (auto& [pair, load] : loads) {
             const auto before = loads_.find(pair);

@@ -9,7 +9,7 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x32'4e'55'52'4c'42'4d'54;  // "TMBLRUN2"
+constexpr std::uint64_t kMagic = 0x33'4e'55'52'4c'42'4d'54;  // "TMBLRUN3"
 
 }  // namespace
 

@@ -18,7 +18,7 @@ struct SavedEvent {
 };
 
 struct SavedRun {
-    std::uint64_t scene_hash = 0;
+    std::uint64_t scene_hash = 0;       // without the duration
     std::vector<SceneInstance> bodies;  // SceneWorld::bodies
     std::vector<SavedEvent> events;     // [Scene::timeline.size()]
     double work = 0.0;                  // SceneWorld::work

@@ -20,6 +20,16 @@ struct SceneRun::Impl {
     scene::MotorWork motors;
 };
 
+namespace {
+
+// A state depends on the steps before it, not on those that follow.
+std::uint64_t hash_without_duration(Scene scene) {
+    scene.world.duration = SceneSettings{}.duration;
+    return scene_hash(scene);
+}
+
+}  // namespace
+
 std::uint64_t nearest_step(double time, double steps_per_second) {
     return static_cast<std::uint64_t>(std::llround(time * steps_per_second));
 }
@@ -70,7 +80,7 @@ void SceneRun::set_threads(const Threads& threads) { impl_->built.world.set_thre
 
 std::vector<std::byte> SceneRun::save(const Scene& scene) const {
     const SceneWorld& built = impl_->built;
-    const scene::SavedRun saved{scene_hash(scene), built.bodies, impl_->timeline.state(), built.work,
+    const scene::SavedRun saved{hash_without_duration(scene), built.bodies, impl_->timeline.state(), built.work,
                                 built.world.save()};
     return scene::to_bytes(saved);
 }
@@ -79,7 +89,7 @@ SceneRun SceneRun::load(const Scene& scene, std::span<const std::byte> saved) {
     scene::SavedRun read = scene::read_saved_run(saved);
     SceneRun run(scene);
     Impl& impl = *run.impl_;
-    if (read.scene_hash != scene_hash(scene) || !impl.timeline.set_state(read.events))
+    if (read.scene_hash != hash_without_duration(scene) || !impl.timeline.set_state(read.events))
         throw SnapshotError("the saved run is that of another scene");
     impl.built.world = World::load(read.world);
     impl.built.bodies = std::move(read.bodies);

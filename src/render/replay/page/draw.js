@@ -89,8 +89,9 @@ class Painter {
     this.theme = new Theme();
     run.shapes.forEach(addShapeData);
     for (const body of run.bodies) body.reach = Math.max(0, ...body.shapes.map(([shape]) => run.shapes[shape].reach));
-    // Static bodies are behind all others.
-    this.order = [...run.bodies.keys()].sort((a, b) => Math.min(run.bodies[a].type, 1) - Math.min(run.bodies[b].type, 1));
+    const numbers = [...run.bodies.keys()];
+    this.still = numbers.filter((number) => run.bodies[number].type === 0);  // behind all others
+    this.moving = numbers.filter((number) => run.bodies[number].type !== 0);
   }
 
   resize() {
@@ -142,17 +143,68 @@ class Painter {
   // `islands` is empty or the island of each body.
   bodies(step, islands, dimSleeping) {
     const whole = Math.floor(step), colors = this.run.island_colors;
-    for (const number of this.order) {
+    this.eachInView(this.still, step, (body) => this.shapes(body, null, false));
+    if (this.run.hatching) this.hatching(step);
+    this.eachInView(this.moving, step, (body, number) => {
+      const asleep = dimSleeping && body.asleep.length > 0 && this.run.isAsleep(number, whole);
+      const color = islands.length > 0 && body.type === 2 ? colors[islands[number] % colors.length] : null;
+      this.shapes(body, color, asleep);
+      this.orientation(body);
+    });
+  }
+
+  // Calls visit(body, number) in the coordinates of each of these bodies that is in view.
+  eachInView(numbers, step, visit) {
+    const whole = Math.floor(step);
+    for (const number of numbers) {
       if (!this.run.exists(number, whole)) continue;
       const body = this.run.bodies[number], pose = this.run.pose(number, step);
       if (!this.isInView(pose, body.reach)) continue;
-      const asleep = dimSleeping && body.asleep.length > 0 && this.run.isAsleep(number, whole);
-      const color = islands.length > 0 && body.type === 2 ? colors[islands[number] % colors.length] : null;
       this.useBody(pose);
-      for (const [shape, fill, isSensor] of body.shapes)
-        this.shape(this.run.shapes[shape], this.theme.paint(color ?? fill, body.type === 0, asleep), isSensor);
-      if (body.type !== 0) this.orientation(body);
+      visit(body, number);
     }
+  }
+
+  shapes(body, color, asleep) {
+    for (const [shape, fill, isSensor] of body.shapes)
+      this.shape(this.run.shapes[shape], this.theme.paint(color ?? fill, body.type === 0, asleep), isSensor);
+  }
+
+  // As in frames: lines from the lower left to the upper right over the areas of static bodies, in the colours of their
+  // outlines. They stay with the world when the view moves, and continue from one shape to the next.
+  hatching(step) {
+    const areas = new Map(), context = this.context;  // a path of the pixels of each colour
+    this.eachInView(this.still, step, (body) => {
+      for (const [number, fill, isSensor] of body.shapes) {
+        const shape = this.run.shapes[number], color = this.theme.paint(fill, true, false).line;
+        if (isSensor || shape.isLine) continue;
+        if (!areas.has(color)) areas.set(color, new Path2D());
+        areas.get(color).addPath(shape.path, context.getTransform());
+      }
+    });
+    const lines = this.hatchLines();
+    for (const [color, area] of areas) {
+      context.save();
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.clip(area);
+      this.usePixels();
+      context.strokeStyle = color;
+      context.globalAlpha = 0.45;
+      context.lineWidth = 1;
+      context.stroke(lines);
+      context.restore();
+    }
+  }
+
+  // All lines in the canvas, 12 pixels apart; one of them goes through the origin of the world.
+  hatchLines() {
+    const { width, height } = this.camera, [px, py] = this.camera.pixels(0, 0), spacing = 12 * Math.SQRT2, lines = new Path2D();
+    const rest = (px + py) % spacing;
+    for (let sum = rest - spacing; sum < width + height + spacing; sum += spacing) {  // px + py of a line's points
+      lines.moveTo(sum, 0);
+      lines.lineTo(sum - height, height);
+    }
+    return lines;
   }
 
   shape(shape, paint, isSensor) {
@@ -209,7 +261,7 @@ function roundLength(metres) {
 function bodyAt(painter, point, step, tolerance) {
   const run = painter.run;
   let found = -1, foundDistance = tolerance;
-  for (const number of painter.order) {
+  for (const number of [...painter.still, ...painter.moving]) {
     if (!run.exists(number, step)) continue;
     const pose = run.pose(number, step), body = run.bodies[number];
     if (Math.hypot(point[0] - pose.x, point[1] - pose.y) > body.reach + tolerance) continue;

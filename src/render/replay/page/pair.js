@@ -84,7 +84,7 @@ class PairPlayer extends Playback {
     const step = this.wholeStep(), { distances, energies, first, names } = this.numbers, theme = this.painters[0].theme;
     const known = (value, unit) => typeof value === "number" ? `${brief(value)} ${unit}` : "unknown";
     this.plots[0].draw(theme, [{ values: distances, from: 0, color: theme.box }], step, first);
-    byId("distance-text").textContent = `Largest distance of a body in both: ${known(distances[step], "m")}`;
+    byId("distance-text").textContent = `Largest difference in x or y: ${known(distances[step], "m")}`;
     const curves = energies.map((values, i) => ({ values, from: 0, color: i === 0 ? theme.accent : theme.velocity }));
     this.plots[1].draw(theme, curves, step, first);
     byId("energy-text").replaceChildren("Energy: ", ...curves.flatMap(({ color }, i) => {

@@ -6,6 +6,8 @@ class Run {
   constructor(states, contacts) {
     Object.assign(this, states);
     this.contacts = contacts;
+    // The bodies of the name that a note is above; at most one of them exists at a time.
+    for (const note of this.notes) note.bodies = [...this.bodies.keys()].filter((number) => this.bodies[number].name === note.above);
   }
 
   exists(number, step) {
@@ -29,11 +31,11 @@ class Run {
   }
 
   // The point that a note is above at a step: its own, or the top of its body; null when the note is not shown.
-  notePoint({ from, until, position, above }, step) {
+  notePoint({ from, until, position, bodies }, step) {
     const time = step / this.steps_per_second, whole = Math.floor(step);
     if (time < from || time >= (until ?? Infinity)) return null;
     if (position) return position;
-    const number = this.bodies.findIndex((body, i) => body.name === above && this.exists(i, whole));
+    const number = bodies.find((one) => this.exists(one, whole)) ?? -1;
     if (number < 0 || this.bodies[number].shapes.length === 0) return null;
     const pose = this.pose(number, step), boxes = this.bodies[number].shapes.map(([shape]) => boundsOf(this.shapes[shape], pose));
     const left = Math.min(...boxes.map((box) => box[0])), right = Math.max(...boxes.map((box) => box[2]));

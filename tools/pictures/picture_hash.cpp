@@ -1,0 +1,76 @@
+#include "tools/pictures/picture_hash.hpp"
+
+#ifndef __clang_analyzer__  // it assumes null pointers that a string of some size does not have
+#define XXH_INLINE_ALL
+#endif
+#include <xxhash.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "tools/output/json_writer.hpp"
+#include "tumble/file.hpp"
+#include "tumble/scene_file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::uint64_t hash_of(std::string_view text) { return XXH64(text.data(), text.size(), 0); }
+
+// The hashes of image files, each of which is read once.
+class FileHashes {
+public:
+    // "missing" for a file that does not exist: frames show an outline instead.
+    const std::string& of(const fs::path& file) {
+        const auto [entry, is_new] = known_.try_emplace(file, "missing");
+        std::error_code ignored;
+        if (is_new && fs::exists(file, ignored)) entry->second = to_hex(hash_of(read_file(file)));
+        return entry->second;
+    }
+
+private:
+    std::map<fs::path, std::string> known_;
+};
+
+void leave_out_custom(SceneBody& body) {
+    body.custom.clear();
+    for (SceneShape& shape : body.shapes) shape.custom.clear();
+}
+
+// The scene without what no frame depends on.
+Scene drawn_part(Scene scene) {
+    for (std::string* const text : {&scene.schema, &scene.description, &scene.custom}) text->clear();
+    scene.world.duration = SceneSettings{}.duration;
+    scene.expect.clear();
+    scene.draws.clear();
+    for (SceneBody& body : scene.bodies) leave_out_custom(body);
+    for (SceneJoint& joint : scene.joints) joint.custom.clear();
+    for (SceneEvent& event : scene.timeline)
+        if (event.spawn) leave_out_custom(*event.spawn);
+    return scene;
+}
+
+void add_images(JsonWriter& json, FileHashes& hashes, const SceneBody& body) {
+    for (const SceneImage& image : body.images) json.value(hashes.of(image.path));
+}
+
+}  // namespace
+
+std::uint64_t picture_hash(const Scene& scene, const Camera& start) {
+    FileHashes hashes;
+    JsonWriter json(JsonWriter::Layout::compact);
+    json.open_array().value(to_json(drawn_part(scene)));
+    json.value(start.center).value(start.height).value(start.offset).value(start.follows.index);
+    for (const SceneBody& body : scene.bodies) add_images(json, hashes, body);
+    for (const SceneEvent& event : scene.timeline)
+        if (event.spawn) add_images(json, hashes, *event.spawn);
+    return hash_of(json.close_array().text());
+}
+
+}  // namespace tumble::tools
