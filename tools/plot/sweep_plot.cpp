@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <istream>
-#include <memory>
 #include <set>
 #include <vector>
 
-#include "tools/output/csv_columns.hpp"
+#include "tools/output/csv_table.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/output/number_text.hpp"
 #include "tools/output/plot.hpp"
-#include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
 
@@ -39,19 +36,12 @@ struct Range {
 
 // The lines with a number in each of the columns; y is 0 without a column of it.
 std::vector<Sample> read_samples(const std::filesystem::path& table, const SweepPlot& plot) {
-    const std::unique_ptr<std::istream> stream = open_input(table);
-    std::string line;
-    std::getline(*stream, line);
-    const std::vector<std::string> columns = cells_of(line);
+    CsvTable rows(table);
     const bool has_y = !plot.y.empty();
-    const std::size_t x = column_of(columns, plot.x, table), y = has_y ? column_of(columns, plot.y, table) : x,
-                      value = column_of(columns, plot.value, table);
+    const std::size_t x = rows.column(plot.x), y = has_y ? rows.column(plot.y) : x, value = rows.column(plot.value);
     std::vector<Sample> samples;
-    for (int number = 2; std::getline(*stream, line); ++number) {
-        const std::vector<std::string> cells = cells_of(line);
-        if (cells.size() != columns.size())
-            throw InputError(table.string() + ":" + std::to_string(number) + ": has not all columns");
-        const auto number_in = [&](std::size_t column) { return number_of(cells[column]).value_or(std::nan("")); };
+    while (rows.next()) {
+        const auto number_in = [&](std::size_t column) { return number_of(rows.cell(column)).value_or(std::nan("")); };
         const Sample sample{number_in(x), has_y ? number_in(y) : 0.0, number_in(value)};
         if (std::isfinite(sample.x) && std::isfinite(sample.y) && std::isfinite(sample.value))
             samples.push_back(sample);
