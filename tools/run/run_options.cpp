@@ -174,7 +174,8 @@ void add_threads_option(CLI::App& subcommand, int& threads) {
 
 void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_option("-o,--output", options.folder, "Folder for the results; default out/<scene name>")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     subcommand.add_option("--duration", options.duration, "Simulated time in seconds; default: that of the scene")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration));
