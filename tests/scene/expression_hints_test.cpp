@@ -72,7 +72,8 @@ const std::map<std::string, std::regex>& phrases() {
         {"one argument", std::regex("(.*) with one argument is that of all copies")},
         {"no copies",
          std::regex(R"(a body or joint without a "repeat" has no copies: write (.*) without the function)")},
-        {"property", std::regex("ask for a property: (.*)")}};
+        {"property", std::regex("ask for a property: (.*)")},
+        {"touching", std::regex(R"(write (touching\(.*\)))")}};
     return all;
 }
 
@@ -108,13 +109,14 @@ public:
             return one_of({"1", "true", "a.x", "a.awake", "crate.y", "crate.awake", "'it''s'.x", "hinge.angle",
                            "hinge.exists", "rod.length", "'my crate'.speed", "crate[1].x", "time", "crate", "hinge",
                            "drop.y", "touching(a, crate)", "distance(crate, b)"});
-        switch (random_() % 8) {
+        switch (random_() % 9) {
             case 0: return "(" + inner() + ")";
             case 1: return one_of({"-", "not "}) + inner();
             case 2: return inner() + one_of({"^2", "^-1", "^0.5"});
             case 3: return "if(" + inner() + ", " + inner() + ", " + inner() + ")";
             case 4: return one_of({"max(", "min(", "hypot("}) + inner() + ", " + inner() + ")";
             case 5: return one_of({"max(", "all(", "any(", "sum(", "count(", "sqrt("}) + inner() + ")";
+            case 6: return one_of({"a", "crate", "'it''s'"}) + one_of({" hits ", " touches "}) + one_of({"b", "crate"});
             default: return inner() + one_of({" + ", " * ", " < ", " == ", " and ", " or "}) + inner();
         }
     }
@@ -148,7 +150,8 @@ TEST_CASE("each expression that a hint proposes parses") {
         {"crate > 1", {"crate[0].x"}},
         {"hinge > 1", {"hinge[0].force"}},
         {"max(hinge) > 1", {"hinge.force"}},
-        {"rod > 1", {"rod.force"}}};
+        {"rod > 1", {"rod.force"}},
+        {"'it''s' hits crate", {"touching('it''s', crate)"}}};
     for (const auto& [text, proposed] : examples) {
         CAPTURE(text);
         const std::string hint = hint_of(text);

@@ -325,6 +325,11 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("a.x > 'b").offset == 6);
     CHECK(refused("1e999").message == "the number is outside the range of a double");
     CHECK(refused("tiem > 3").hint == "did you mean 'time'?");
+    CHECK(refused("a.velocity.x > 1").hint == "this grammar has vx, vy or speed");
+    CHECK(refused("a.position[0] > 1").hint == "this grammar has x or y");
+    CHECK(refused("a hits 'car/wheel'").hint == "write touching(a, 'car/wheel')");
+    CHECK(refused("crate touches wall").hint == "write touching(crate, wall)");
+    CHECK(refused("a hits nothing").hint == "ask for a property: a.x");
 }
 
 TEST_CASE("hostile expressions are refused within limits") {

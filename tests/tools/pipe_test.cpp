@@ -117,6 +117,18 @@ TEST_CASE("an option that names a folder refuses standard output, and every outp
     CHECK(unnamed.err.find("--junit: needs the name of a file, got an empty one") != std::string::npos);
 }
 
+TEST_CASE("an option that names a page refuses the names of other formats") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    for (const std::string option : {"--replay", "--report"}) {
+        const Answer answer = feed("", {"run", scene, "--no-frames", option, "page.png"}, folder.path());
+        CHECK(answer.code == 2);
+        CHECK(answer.err.find(option + ": pages are HTML: choose a name that ends in .html, not page.png") !=
+              std::string::npos);
+    }
+    CHECK(feed("", {"run", scene, "--no-frames", "--duration", "0.1", "--replay", "page"}, folder.path()).code == 0);
+}
+
 TEST_CASE("outputs that must be files refuse standard output and say why") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());

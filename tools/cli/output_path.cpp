@@ -24,6 +24,17 @@ CLI::Option& allow_standard_output(CLI::Option& option) {
     return option;
 }
 
+CLI::Validator page_name() {
+    const auto check = [](const std::string& text) {
+        static const std::set<std::string> kOtherFormats{".png",  ".jpg",  ".jpeg", ".gif",  ".svg", ".pdf", ".mp4",
+                                                         ".webm", ".apng", ".csv",  ".json", ".xml", ".txt", ".md"};
+        return kOtherFormats.contains(fs::path(text).extension().string())
+                   ? "pages are HTML: choose a name that ends in .html, not " + text
+                   : "";
+    };
+    return {check, ""};
+}
+
 CLI::Validator folder_name() {
     const auto check = [](const std::string& folder) -> std::string {
         if (folder.empty()) return "needs the name of a folder, got an empty one";

@@ -21,6 +21,9 @@ bool is_standard_output(const std::filesystem::path& file);
 // standard error. Two files on standard output are wrong arguments, and so is an empty name.
 CLI::Option& allow_standard_output(CLI::Option& option);
 
+// For an option that names an HTML page: a name that promises another format is refused. Other names are not.
+CLI::Validator page_name();
+
 // For an option that names a folder: an empty name and standard output are wrong arguments.
 CLI::Validator folder_name();
 

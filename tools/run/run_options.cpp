@@ -206,16 +206,20 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
     add_table("--contacts", options.contacts, "Write every contact point after each step");
     add_table("--hashes", options.hashes, "Write the state hash after each step");
-    CLI::Option* const replay = &allow_standard_output(
-        *subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
-             ->type_name("F.html"));
+    CLI::Option* const replay =
+        allow_standard_output(
+            *subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
+                 ->type_name("F.html"))
+            .check(page_name());
     subcommand
         .add_flag("--no-replay-contacts", options.no_replay_contacts,
                   "Leave the contact points out of the replay: a page of half the size")
         ->needs(replay);
-    CLI::Option* const report = &allow_standard_output(
-        *subcommand.add_option("--report", options.report, "Write a page that tells what is wrong with the run")
-             ->type_name("F.html"));
+    CLI::Option* const report =
+        allow_standard_output(
+            *subcommand.add_option("--report", options.report, "Write a page that tells what is wrong with the run")
+                 ->type_name("F.html"))
+            .check(page_name());
     subcommand
         .add_flag("--fail-on-findings", options.fail_on_findings, "End with exit code 7 if the report has findings")
         ->needs(report);

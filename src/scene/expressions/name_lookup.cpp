@@ -1,6 +1,8 @@
 #include "scene/expressions/name_lookup.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "tumble/suggest.hpp"
 
@@ -35,6 +37,22 @@ bool has_property(SceneJointType type, JointProperty property) {
         case JointProperty::speed: return turns || slides || has_length;
         default: return true;
     }
+}
+
+// What other engines call a property of a body, also as a vector: velocity.x, position[0].
+std::string own_property(std::string_view word, std::span<const std::string_view> words) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kForeign{
+        {{"position", "x or y"},
+         {"pos", "x or y"},
+         {"velocity", "vx, vy or speed"},
+         {"vel", "vx, vy or speed"},
+         {"rotation", "angle, in degrees"},
+         {"theta", "angle, in degrees"},
+         {"angular_velocity", "spin, in degrees/s"},
+         {"omega", "spin, in degrees/s"}}};
+    for (const auto& [foreign, own] : kForeign)
+        if (word.substr(0, word.find('[')) == foreign) return "this grammar has " + std::string(own);
+    return suggestion(word, words);
 }
 
 }  // namespace
@@ -143,7 +161,7 @@ Node NameLookup::property(const Token& name, const Token& word) {
         const std::vector<std::string_view> words = has_joint_words ? names_of(joint_words()) : names_of(body_words());
         throw ExpressionError(word.begin,
                               std::string("a ") + (is_body ? "body" : "joint") + " has no property '" + word.text + "'",
-                              suggestion(word.text, words));
+                              is_body ? own_property(word.text, words) : suggestion(word.text, words));
     }
     if (of_body == nullptr) {
         body(name, Property{word.text, of_joint->kind});
@@ -184,8 +202,11 @@ std::optional<std::size_t> NameLookup::given_value(const Token& name) const {
     return static_cast<std::size_t>(found - known_->values.begin());
 }
 
-void NameLookup::refuse_alone(const Token& name) const {
+void NameLookup::refuse_alone(const Token& name, const std::string& touched) const {
     const bool is_body = is_unchecked() || is_known_body(name.text);
+    if (is_body && !is_unchecked() && is_known_body(touched))
+        throw ExpressionError(name.begin, "the body '" + name.text + "' alone is no value",
+                              "write touching(" + in_expression(name.text) + ", " + in_expression(touched) + ")");
     if (is_body || find_joint(name.text)) {
         const bool is_common =
             !is_unchecked() && (is_body ? known_->bodies.is_shared(name.text) : known_->joints.is_shared(name.text));

@@ -27,8 +27,9 @@ public:
     // The index of a value that the program gave.
     std::optional<std::size_t> given_value(const Token& name) const;
 
-    // To be called for a name without a property, which is no value of the world.
-    [[noreturn]] void refuse_alone(const Token& name) const;
+    // To be called for a name without a property, which is no value of the world. `touched` is the name that follows in
+    // the manner of "ball hits floor", or empty.
+    [[noreturn]] void refuse_alone(const Token& name, const std::string& touched) const;
 
     // The copies of a body or joint: the index in Program::bodies or Program::joints, and the byte of the text at which
     // they are named first.

@@ -55,12 +55,17 @@ std::string_view own_word(std::string_view sign) {
     return {};
 }
 
+bool is_touch_word(std::string_view word) {
+    constexpr std::array<std::string_view, 10> kWords{"contact", "contacts", "collides", "collision", "hit",
+                                                      "hits",    "overlaps", "touch",    "touches",   "touching"};
+    return std::ranges::find(kWords, word) != kWords.end();
+}
+
 // What other languages call a function.
 std::string own_function(const std::string& name) {
     if (name == "where") return "write if(condition, a, b)";
     if (name == "clip") return "write clamp(a, low, high)";
-    for (const std::string_view touch : {"contact", "contacts", "collides", "collision", "hit", "hits", "overlaps"})
-        if (name == touch) return "write touching(a, b)";
+    if (is_touch_word(name)) return "write touching(a, b)";
     return suggestion(name, names_of(function_words()));
 }
 
@@ -226,7 +231,7 @@ private:
             return add(
                 {.op = Op::given_value, .code = static_cast<int>(*given), .begin = token.begin, .end = token.end});
         const Word<WorldValue>* word = token.is_quoted ? nullptr : find_word(world_words(), token.text);
-        if (word == nullptr) lookup_.refuse_alone(token);
+        if (word == nullptr) lookup_.refuse_alone(token, is_touch_word(now().text) ? next().text : "");
         return add({.op = Op::world_value,
                     .kind = word->kind,
                     .code = static_cast<int>(word->code),
