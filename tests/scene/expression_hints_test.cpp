@@ -129,7 +129,11 @@ private:
 }  // namespace
 
 TEST_CASE("each expression that a hint proposes parses") {
-    const std::vector<std::pair<std::string, std::vector<std::string>>> examples{
+    struct Example {
+        std::string text;
+        std::vector<std::string> proposed;
+    };
+    const std::vector<Example> examples{
         {"a.x", {"a.x > 0"}},
         {"(a.x + 1) * (2 - a.y)", {"(a.x + 1) * (2 - a.y) > 0"}},
         {"(a.x + 1) * (2 - a.y) and true", {"(a.x + 1) * (2 - a.y) > 0"}},
@@ -152,12 +156,12 @@ TEST_CASE("each expression that a hint proposes parses") {
         {"max(hinge) > 1", {"hinge.force"}},
         {"rod > 1", {"rod.force"}},
         {"'it''s' hits crate", {"touching('it''s', crate)"}}};
-    for (const auto& [text, proposed] : examples) {
-        CAPTURE(text);
-        const std::string hint = hint_of(text);
+    for (const Example& example : examples) {
+        CAPTURE(example.text);
+        const std::string hint = hint_of(example.text);
         CAPTURE(hint);
         const Proposal found = proposal_of(hint);
-        CHECK(found.expressions == proposed);
+        CHECK(found.expressions == example.proposed);
         CHECK(is_proposed_well(found));
     }
 }
@@ -175,9 +179,9 @@ TEST_CASE("each expression that hints for mixed expressions propose parses") {
         CAPTURE(hint);
         REQUIRE(is_proposed_well(proposal));
     }
-    for (const auto& [phrase, regex] : phrases()) {
-        CAPTURE(phrase);
-        CHECK(counts[phrase] > 100);
+    for (const auto& phrase : phrases()) {
+        CAPTURE(phrase.first);
+        CHECK(counts[phrase.first] > 100);
     }
 }
 

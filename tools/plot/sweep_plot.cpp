@@ -15,9 +15,9 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr double kLeft = 80, kTop = 30, kSize = 480, kBottom = 60, kRight = 110;  // px
-constexpr std::size_t kMostCells = 200;                                           // of a grid, in one direction
-constexpr std::size_t kGathered = 40;                                             // cells of drawn values
+constexpr double kLeft = 80, kTop = 30, kSize = 480, kBottom = 60, kRight = 30, kScale = 110;  // px
+constexpr std::size_t kMostCells = 200;  // of a grid, in one direction
+constexpr std::size_t kGathered = 40;    // cells of drawn values
 constexpr Color kInk{40, 44, 52}, kDot{45, 98, 164, 150};
 
 struct Sample {
@@ -139,9 +139,12 @@ void draw_heat_map(Drawing& drawing, const SweepPlot& plot, const std::vector<Sa
 void draw_dots(Drawing& drawing, const SweepPlot& plot, const std::vector<Sample>& samples) {
     const Range x = range_of(samples, &Sample::x), values = range_of(samples, &Sample::value);
     constexpr double kMargin = 0.02;
+    // Few dots are large enough to be seen, and many do not cover each other.
+    const double radius = std::clamp(40.0 / std::sqrt(static_cast<double>(samples.size())), 1.5, 4.0);
     const auto placed = [](double part) { return kSize * (kMargin + (1.0 - 2.0 * kMargin) * part); };
     for (const Sample& sample : samples)
-        drawing.disc({kLeft + placed(x.part(sample.x)), kTop + kSize - placed(values.part(sample.value))}, 1.5, kDot);
+        drawing.disc({kLeft + placed(x.part(sample.x)), kTop + kSize - placed(values.part(sample.value))}, radius,
+                     kDot);
     draw_axes(drawing, plot, x, values, kMargin, kMargin);
 }
 
@@ -149,7 +152,7 @@ void draw_dots(Drawing& drawing, const SweepPlot& plot, const std::vector<Sample
 
 Drawing draw_sweep(const std::filesystem::path& table, const SweepPlot& plot) {
     const std::vector<Sample> samples = read_samples(table, plot);
-    Drawing drawing{.width = static_cast<int>(kLeft + kSize + kRight),
+    Drawing drawing{.width = static_cast<int>(kLeft + kSize + (plot.y.empty() ? kRight : kScale)),
                     .height = static_cast<int>(kTop + kSize + kBottom)};
     plot.y.empty() ? draw_dots(drawing, plot, samples) : draw_heat_map(drawing, plot, samples);
     for (const auto& [from, to] : {std::pair<DVec2, DVec2>{{kLeft, kTop + kSize}, {kLeft + kSize, kTop + kSize}},

@@ -188,6 +188,7 @@ TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
     CHECK(count(map.out, "#440154") == 6);
     CHECK(count(map.out, "#fde725") == 1);
     CHECK(count(plot({"--value", "product"}).out, "<circle") == 12);
+    CHECK(count(plot({"--value", "product"}).out, " r=\"4\"") == 12);
     const Answer misspelt = plot({"--value", "produkt"});
     CHECK(misspelt.code == 3);
     CHECK(misspelt.err.find("runs.csv: has no column 'produkt'; did you mean 'product'?\n  its columns: run, ") !=
@@ -197,7 +198,7 @@ TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
         return run_tumble({"sweep", "plot", sweeps.at("out"), "--x", "a", "--value", "product", "-o", sweeps.at(name)});
     };
     REQUIRE(written("plot.png").code == 0);
-    CHECK(tumble::read_png(sweeps.at("plot.png")).width == 670);
+    CHECK(tumble::read_png(sweeps.at("plot.png")).width == 590);
     CHECK(written("plot.jpg").code == 2);
     CHECK(written("plot.jpg").err.find("--output: expected a file name that ends in .svg or .png") !=
           std::string::npos);
