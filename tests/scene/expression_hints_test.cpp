@@ -129,11 +129,11 @@ private:
 }  // namespace
 
 TEST_CASE("each expression that a hint proposes parses") {
-    struct Example {
+    struct Proposed {
         std::string text;
         std::vector<std::string> proposed;
     };
-    const std::vector<Example> examples{
+    const std::vector<Proposed> examples{
         {"a.x", {"a.x > 0"}},
         {"(a.x + 1) * (2 - a.y)", {"(a.x + 1) * (2 - a.y) > 0"}},
         {"(a.x + 1) * (2 - a.y) and true", {"(a.x + 1) * (2 - a.y) > 0"}},
@@ -156,7 +156,7 @@ TEST_CASE("each expression that a hint proposes parses") {
         {"max(hinge) > 1", {"hinge.force"}},
         {"rod > 1", {"rod.force"}},
         {"'it''s' hits crate", {"touching('it''s', crate)"}}};
-    for (const Example& example : examples) {
+    for (const Proposed& example : examples) {
         CAPTURE(example.text);
         const std::string hint = hint_of(example.text);
         CAPTURE(hint);
