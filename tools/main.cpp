@@ -47,16 +47,18 @@ std::string unknown_argument_text(const CLI::App& app) {
     std::vector<std::string> known;
     if (word.starts_with('-')) {
         for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())
-            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+            for (const std::string& name : option->get_lnames()) known.push_back(name);
     } else if (chosen.empty()) {
         for (const CLI::App* subcommand : app.get_subcommands({})) known.push_back(subcommand->get_name());
     }
     const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "argument";
     const std::string of = chosen.empty() ? "" : " of " + chosen.front()->get_name();
-    const std::string_view nearest =
-        tumble::nearest_word(word, std::vector<std::string_view>(known.begin(), known.end()));
+    const std::string dashes = word.substr(0, std::min(word.find_first_not_of('-'), word.size()));
+    const std::string_view nearest = tumble::nearest_word(std::string_view(word).substr(dashes.size()),
+                                                          std::vector<std::string_view>(known.begin(), known.end()));
+    const std::string meant = (dashes.empty() ? "" : "--") + std::string(nearest);
     return "unknown " + what + " '" + word + "'" + of +
-           (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
+           (nearest.empty() ? "" : "\n  hint: did you mean '" + meant + "'?");
 }
 
 // The message for a text of CLI11 about a wrong number of values; the text begins with the name of the option.

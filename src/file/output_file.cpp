@@ -122,7 +122,8 @@ std::uint64_t OutputFile::commit() {
 }
 
 void OutputFile::fail(int error) const {
-    throw FileError(path_, "cannot write: " + std::generic_category().message(error));
+    throw FileError(temporary_.empty() ? "standard output" : path_,
+                    "cannot write: " + std::generic_category().message(error));
 }
 
 }  // namespace tumble

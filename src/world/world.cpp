@@ -146,6 +146,7 @@ World World::load(std::span<const std::byte> snapshot) {
     read_snapshot(snapshot, {impl.def, impl.simulation, impl.step_count, impl.diverged_body});
     impl.apply_settings();
     impl.counters = impl.count();
+    impl.is_restored = true;
     return world;
 }
 
@@ -158,6 +159,7 @@ void World::assign(const World& other) {
     impl_->simulation.report = other.impl_->simulation.report;
     impl_->step_count = other.impl_->step_count;
     impl_->diverged_body = other.impl_->diverged_body;
+    impl_->is_restored = true;
     impl_->counters = other.impl_->counters;
     impl_->apply_settings();
 }

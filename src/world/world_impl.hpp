@@ -20,6 +20,7 @@ struct World::Impl {
     StepCounters counters;
     std::uint64_t step_count = 0;
     std::uint32_t diverged_body = kNoBody;  // index of the first body that is not finite
+    bool is_restored = false;               // the state, or a later one than it, comes from a snapshot or another world
 
     void require(BodyId id) const { require_live(simulation.bodies.ids, id, "body"); }
     void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }
@@ -70,7 +71,7 @@ struct World::Impl {
 
 private:
     template <class IdType>
-    static void require_live(const IdPool<IdType>& pool, IdType id, const char* kind) {
+    void require_live(const IdPool<IdType>& pool, IdType id, const char* kind) const {
         if (pool.is_live(id)) return;
         const std::string text = std::string(kind) + " id is ", object(kind);
         if (id == IdType{}) throw std::invalid_argument(text + "the default one, which is of no " + object);
@@ -78,7 +79,8 @@ private:
             " (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ")";
         if (pool.was_live(id)) throw std::invalid_argument(text + "stale: the " + object + " was destroyed" + numbers);
         throw std::invalid_argument(text + "unknown: no " + object + " of this world has had it so far" + numbers +
-                                    "; it is of another world, or of a time after the snapshot that was restored");
+                                    "; it is of another world" +
+                                    (is_restored ? ", or of a time after the state that was restored" : ""));
     }
 };
 

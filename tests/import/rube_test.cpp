@@ -273,6 +273,19 @@ TEST_CASE("an editor project is recognised") {
     CHECK_THROWS_AS(import_rube(kRubeData / "no_such_file.json"), FileError);
 }
 
+TEST_CASE("a scene is no export, and is told so") {
+    const auto hint_of = [](const std::string& text) {
+        try {
+            parse_rube(text, "scene.json");
+        } catch (const SceneError& error) {
+            return error.diagnostics.at(0).hint;
+        }
+        return std::string("accepted");
+    };
+    CHECK(hint_of(R"({"format": 1, "bodies": []})") == "it seems to be a scene, which needs no import");
+    CHECK(hint_of(R"({"format": 1})") == "");
+}
+
 TEST_CASE("a large export arrives with all its bodies, fixtures and joints") {
     const RubeExport made = make_rube_export(300);
     const ImportedScene imported = parse_rube(made.text, "large.json");

@@ -1,5 +1,6 @@
 // Images of bodies: which pixels they have, in which order, and what becomes of files that are missing or wrong.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "render/pixels.hpp"
+#include "tumble/file.hpp"
 #include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
@@ -114,6 +116,11 @@ TEST_CASE("a missing file leaves the outline of its image; one that is damaged, 
 
     std::ofstream(pictures.folder / "in/damaged.png") << "no picture";
     CHECK_THROWS_AS(frame_of(pictures.scene(R"({"file": "damaged.png", "height": 2})")), PictureError);
+    fs::create_directory(pictures.folder / "in/folder.png");
+    fs::create_symlink("loop.png", pictures.folder / "in/loop.png");
+    mkfifo((pictures.folder / "in/pipe.png").c_str(), 0600);  // opening it would wait forever
+    for (const std::string file : {"folder", "loop", "pipe"})
+        CHECK_THROWS_AS(frame_of(pictures.scene(R"({"file": ")" + file + R"(.png", "height": 2})")), FileError);
     write_png({kLargestFrame + 1, 1, std::vector<std::uint8_t>(std::size_t{4} * (kLargestFrame + 1))},
               pictures.folder / "in/wide.png");
     CHECK_THROWS_AS(frame_of(pictures.scene(R"({"file": "wide.png", "height": 2})")), PictureError);

@@ -66,6 +66,7 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
              Case{" \n", 1, 1, "the file is empty", "smallest scene"},
              Case{"{\n  \"format\": 1,\n  \"bodies\": [", 3, 14, "unexpected end of input", ""},
              Case{"{\"format\": 1,}", 1, 14, "unexpected '}'", "comma"},
+             Case{"<svg xmlns='http://www.w3.org/2000/svg'/>", 1, 1, "invalid literal", "tumble import"},
              Case{"{\"format\": NaN}", 1, 12, "invalid literal", "NaN"},
              Case{"{\"format\": 1, \"world\": {\"gravity\": [0, -Infinity]}}", 1, 41, "invalid number", "Infinity"},
              Case{"{'format': 1}", 1, 2, "invalid literal", "double quotes"},
@@ -344,6 +345,14 @@ TEST_CASE("hints translate the habits of other engines") {
           R"(add "when": "always" or "sometime")");
     CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "joint": "j", "motor_speed": 3}]})") ==
           "no joint has a \"name\"");
+    CHECK(hint_of(R"({"format": 1, "timeline": [{"when": "time > 1", "then": {"stop": true}, "stop": true}]})") ==
+          R"~(the action stands beside: {"when": "touching(a, b)", "stop": true})~");
+    CHECK(hint_of(R"({"format": 1, "expect": [{"that": "time < 1", "when": "never"}]})") ==
+          R"(this format calls it 'always', of the opposite: "that": "not a.x > 1")");
+    CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "motor_speed": 3)"))
+              .starts_with(R"("motor": {"speed": 90)"));
+    CHECK(hint_of(test::with_joint(R"("type": "gear", "bodies": ["a", "b"], "ratio": 2)")) ==
+          R"("joints": ["a", "b"] names the two joints that mesh)");
 }
 
 TEST_CASE("an unreadable file is a FileError with path and reason") {

@@ -225,11 +225,10 @@ TEST_CASE("functions about copies go through the copies of a joint that exist") 
         return std::string();
     };
     CHECK(hint_of("hinge.gap < 1") ==
-          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.gap > 0), any(hinge.gap > "
-          "0), "
-          "max(hinge.gap)");
+          "'hinge' stands for several copies; name one, hinge[0].gap, or all of them: all(hinge.gap > 0), "
+          "any(hinge.gap > 0), max(hinge.gap)");
     CHECK(hint_of("hinge.exists") ==
-          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.exists), "
+          "'hinge' stands for several copies; name one, hinge[0].exists, or all of them: all(hinge.exists), "
           "any(hinge.exists), count(hinge.exists)");
     CHECK(hint_of("max(hinge.gap, 1) < 1") ==
           "'hinge' stands for several copies; max(hinge.gap) with one argument is that of all copies");
@@ -298,7 +297,7 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("car.x > 1").hint == "a name with other signs than letters, digits and _ is quoted: 'car/wheel'");
     CHECK(refused("crate.x > 1").message == "'crate' stands for several copies");
     CHECK(refused("crate.x > 1").hint ==
-          "name one, crate[0], or all of them: all(crate.x > 0), any(crate.x > 0), max(crate.x)");
+          "name one, crate[0].x, or all of them: all(crate.x > 0), any(crate.x > 0), max(crate.x)");
     CHECK(refused("a.x && b.x").hint == "write 'and'");
     CHECK(refused("a.x = 1").hint == "a comparison is written ==");
     CHECK(refused("a.x and true").hint == "compare it: a.x > 0");
@@ -308,15 +307,17 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("distance(a)").offset == 10);
     CHECK(refused("distance(a, 1)").offset == 12);
     CHECK(refused("all(a.x > 1)").message == "'all' needs the common name of copies");
-    CHECK(refused("max(a.x)").hint == "a body or joint without a \"repeat\" has no copies: leave the function out");
+    CHECK(refused("max(a.x)").hint ==
+          "a body or joint without a \"repeat\" has no copies: write a.x without the function");
     CHECK(refused("count(a.x > 1) > 0").hint ==
-          "a body or joint without a \"repeat\" has no copies: write if(condition, 1, 0)");
+          "a body or joint without a \"repeat\" has no copies: write if(a.x > 1, 1, 0) without the function");
     CHECK(refused("t > 1").hint == "did you mean 'time'?");
     CHECK(refused("all(any(crate.x > 1))").offset == 4);
     CHECK(refused("max(crate.x, 1)").message == "'crate' stands for several copies");
     CHECK(refused("max(crate.x, 1)").hint == "max(crate.x) with one argument is that of all copies");
-    CHECK(refused("max(1, distance(crate, a))").hint == "max(...) with one argument is that of all copies");
-    CHECK(refused("2 ^ 0.5").hint == "sqrt(a) is the square root");
+    CHECK(refused("max(1, distance(crate, a))").hint ==
+          "max(distance(crate, a)) with one argument is that of all copies");
+    CHECK(refused("2 ^ 0.5").hint == "sqrt(2) is the square root");
     CHECK(refused("1 +").message == "expected a value, got the end");
     CHECK(refused("(1 + 2").message == "expected ')', got the end");
     CHECK(refused("1 2").offset == 2);
@@ -324,6 +325,11 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("a.x > 'b").offset == 6);
     CHECK(refused("1e999").message == "the number is outside the range of a double");
     CHECK(refused("tiem > 3").hint == "did you mean 'time'?");
+    CHECK(refused("a.velocity.x > 1").hint == "this grammar has vx, vy or speed");
+    CHECK(refused("a.position[0] > 1").hint == "this grammar has x or y");
+    CHECK(refused("a hits 'car/wheel'").hint == "write touching(a, 'car/wheel')");
+    CHECK(refused("crate touches wall").hint == "write touching(crate, wall)");
+    CHECK(refused("a hits nothing").hint == "ask for a property: a.x");
 }
 
 TEST_CASE("hostile expressions are refused within limits") {

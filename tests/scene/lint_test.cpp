@@ -1,6 +1,7 @@
 // The warnings of `validate`: for each lint the smallest scene that causes it, with its location and reason, and a
 // similar scene without a warning.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
@@ -100,15 +101,26 @@ TEST_CASE("images without their files cause a warning, one for each file") {
     CHECK(says(warnings[0], "gone.png\": frames show the outline"));
 }
 
-TEST_CASE("an image that exists and cannot be read causes another warning than one that does not") {
+TEST_CASE("an image that is there and cannot be read causes another warning than one that is not") {
     const TemporaryFolder folder;
     std::filesystem::create_symlink("loop.png", folder.path / "loop.png");  // fails for every user, as root too
-    std::ofstream(folder.path / "scene.json")
-        << R"({"format": 1, "bodies": [{"images": [{"file": "loop.png", "height": 1}]}]})";
-    std::vector<Diagnostic> warnings;
-    load_scene(folder.path / "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &warnings);
-    REQUIRE(warnings.size() == 1);
-    CHECK(says(warnings[0], "loop.png\" cannot be read: Too many levels of symbolic links"));
+    std::filesystem::create_directory(folder.path / "folder.png");
+    mkfifo((folder.path / "pipe.png").c_str(), 0600);
+    std::ofstream(folder.path / "text.png") << "text";
+    const auto warning_about = [&](const std::string& file) {
+        std::ofstream(folder.path / "scene.json")
+            << R"({"format": 1, "bodies": [{"images": [{"file": ")" + file + R"(", "height": 1}]}]})";
+        std::vector<Diagnostic> warnings;
+        load_scene(folder.path / "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &warnings);
+        REQUIRE(warnings.size() == 1);
+        CHECK(warnings[0].code == "missing-image");
+        return warnings[0];
+    };
+    CHECK(says(warning_about("loop.png"),
+               "loop.png\" cannot be read (Too many levels of symbolic links): no frames can be drawn"));
+    CHECK(says(warning_about("folder.png"), "folder.png\" is a folder, not a file: no frames can be drawn"));
+    CHECK(says(warning_about("pipe.png"), "pipe.png\" is no regular file: no frames can be drawn"));
+    CHECK(says(warning_about("text.png/a.png"), "there is no file"));
 }
 
 TEST_CASE("a chain with a body on its solid side causes a warning, one with a body on its open side does not") {

@@ -142,6 +142,9 @@ TEST_CASE("a misspelt command or option is answered with the nearest one") {
           std::string::npos);
     CHECK(run_tumble({"run", "x.json", "--fsp", "2"})
               .err.find("unknown option '--fsp' of run\n  hint: did you mean '--fps'?") != std::string::npos);
+    CHECK(run_tumble({"diff", "a", "b", "--heat"})
+              .err.find("unknown option '--heat' of diff\n  hint: did you mean '--heat-map'?") != std::string::npos);
+    CHECK(run_tumble({"rnu"}).err.find("hint: did you mean 'run'?") != std::string::npos);
     CHECK(run_tumble({"run", "x.json", "more"}).err.find("unknown argument 'more' of run") != std::string::npos);
 }
 

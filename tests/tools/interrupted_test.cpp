@@ -86,12 +86,17 @@ TEST_CASE("a run that was started to ignore SIGHUP ignores it") {
 TEST_CASE("check ends with 143 after SIGTERM") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
-    Process process(tumble::test::tumble_command({"check", scene, "--set", "/world/duration=100000"}));
+    const fs::path junit = folder / "junit.xml";
+    // A claim on the end is neither true nor false before it.
+    Process process(tumble::test::tumble_command({"check", scene, "--set", "/world/duration=100000", "--set",
+                                                  R"(/expect=[{"that": "false"}])", "--junit", junit.string()}));
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     process.send_signal(SIGTERM);
     const Answer answer = process.wait();
     CHECK(answer.code == 143);
     CHECK(answer.out.find("interrupted at step") != std::string::npos);
+    CHECK(answer.out.find("failed") == std::string::npos);
+    CHECK(tumble::test::read_text(junit).find(R"(tests="1" failures="0" errors="1")") != std::string::npos);
 }
 
 TEST_CASE("a second run into the folder of a running one is refused, and a killed one leaves nothing that blocks") {

@@ -97,6 +97,38 @@ TEST_CASE("a plan from standard input makes the sweep of its file") {
     CHECK(feed(plan, {"sweep", "submit", "-", "-o", "d", "--slurm", "--print"}, folder.path()).code == 2);
 }
 
+TEST_CASE("an option that names a folder refuses standard output, and every output an empty name") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    for (const std::string name : {"-", "/dev/stdout", ""})
+        for (const auto& command : std::vector<std::vector<std::string>>{{"run", scene, "-o"},
+                                                                         {"demo", "pendulum", "-o"},
+                                                                         {"gallery", scene, "-o"},
+                                                                         {"check", scene, "--shots"}}) {
+            std::vector<std::string> arguments = command;
+            arguments.push_back(name);
+            CAPTURE(arguments);
+            const Answer answer = feed("", arguments, folder.path());
+            CHECK(answer.code == 2);
+            CHECK(answer.err.find(name.empty() ? "needs the name of a folder" : "names a folder") != std::string::npos);
+        }
+    const Answer unnamed = run_tumble({"check", scene, "--junit", ""});  // as from a variable that is not set
+    CHECK(unnamed.code == 2);
+    CHECK(unnamed.err.find("--junit: needs the name of a file, got an empty one") != std::string::npos);
+}
+
+TEST_CASE("an option that names a page refuses the names of other formats") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    for (const std::string option : {"--replay", "--report"}) {
+        const Answer answer = feed("", {"run", scene, "--no-frames", option, "page.png"}, folder.path());
+        CHECK(answer.code == 2);
+        CHECK(answer.err.find(option + ": pages are HTML: choose a name that ends in .html, not page.png") !=
+              std::string::npos);
+    }
+    CHECK(feed("", {"run", scene, "--no-frames", "--duration", "0.1", "--replay", "page"}, folder.path()).code == 0);
+}
+
 TEST_CASE("outputs that must be files refuse standard output and say why") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());

@@ -102,6 +102,16 @@ TEST_CASE("init replaces no file") {
     CHECK(!fs::exists(folder / "scenes"));
 }
 
+TEST_CASE("init names a folder that is to be entered as a shell reads it, and refuses an empty name") {
+    const Folder folder;
+    const std::string spaced = (folder / "my game").string(), plain = (folder / "game").string();
+    CHECK(run_tumble({"init", spaced}).err == "next: cd '" + spaced + "' && make check\n");
+    CHECK(run_tumble({"init", plain}).err == "next: cd " + plain + " && make check\n");
+    const Answer empty = run_tumble({"init", ""});
+    CHECK(empty.code == 2);
+    CHECK(empty.err.find("needs the name of a folder, got an empty one") != std::string::npos);
+}
+
 TEST_CASE("watch checks and draws a scene, and again after each save of it or of a part, until it is interrupted") {
     const Folder folder;
     const std::string part = folder.write("part.json", scene_of(2.0));

@@ -65,12 +65,15 @@ TEST_CASE("definitions out of range throw with the value") {
           "joint needs two bodies, got body 0 twice");
     CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body}); }) ==
           "body id is the default one, which is of no body");
-    CHECK(
-        refusal([&] {
-            world.state({9, 0});
-        }) ==
-        "body id is unknown: no body of this world has had it so far (index 9, generation 0); it is of another world, "
-        "or of a time after the snapshot that was restored");
+    const std::string unknown =
+        "body id is unknown: no body of this world has had it so far (index 9, generation 0); it is of another world";
+    const std::string of_later_time = ", or of a time after the state that was restored";
+    CHECK(refusal([&] { world.state({9, 0}); }) == unknown);
+    const World loaded = World::load(world.save());
+    CHECK(refusal([&] { loaded.state({9, 0}); }) == unknown + of_later_time);
+    World assigned;
+    assigned.assign(world);
+    CHECK(refusal([&] { assigned.state({9, 0}); }) == unknown + of_later_time);
 
     CHECK(world.state_hash() == before);
     CHECK(world.bodies().size() == 2);

@@ -16,11 +16,31 @@ bool is_standard_output(const fs::path& file) { return file == "/dev/stdout"; }
 
 CLI::Option& allow_standard_output(CLI::Option& option) {
     option.transform([](const std::string& file) {  // the name of the option precedes the message
+        if (file.empty()) throw CLI::ValidationError("needs the name of a file, got an empty one");
         if (file != "-" && !is_standard_output(file)) return file;
         if (!give_output_to_file()) throw CLI::ValidationError("names standard output, which another option names too");
         return std::string("/dev/stdout");
     });
     return option;
+}
+
+CLI::Validator page_name() {
+    const auto check = [](const std::string& text) {
+        static const std::set<std::string> kOtherFormats{".png",  ".jpg",  ".jpeg", ".gif",  ".svg", ".pdf", ".mp4",
+                                                         ".webm", ".apng", ".csv",  ".json", ".xml", ".txt", ".md"};
+        return kOtherFormats.contains(fs::path(text).extension().string())
+                   ? "pages are HTML: choose a name that ends in .html, not " + text
+                   : "";
+    };
+    return {check, ""};
+}
+
+CLI::Validator folder_name() {
+    const auto check = [](const std::string& folder) -> std::string {
+        if (folder.empty()) return "needs the name of a folder, got an empty one";
+        return folder == "-" || is_standard_output(folder) ? "names a folder, which standard output is not" : "";
+    };
+    return {check, ""};
 }
 
 fs::path place_of(const fs::path& file) {

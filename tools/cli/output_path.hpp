@@ -9,7 +9,8 @@
 
 namespace CLI {
 class Option;
-}
+class Validator;
+}  // namespace CLI
 
 namespace tumble::tools {
 
@@ -17,8 +18,14 @@ namespace tumble::tools {
 bool is_standard_output(const std::filesystem::path& file);
 
 // Lets "-" stand for standard output in an option that names a file to write. The texts of the command then go to
-// standard error. Two files on standard output are wrong arguments.
+// standard error. Two files on standard output are wrong arguments, and so is an empty name.
 CLI::Option& allow_standard_output(CLI::Option& option);
+
+// For an option that names an HTML page: a name that promises another format is refused. Other names are not.
+CLI::Validator page_name();
+
+// For an option that names a folder: an empty name and standard output are wrong arguments.
+CLI::Validator folder_name();
 
 // The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
 std::filesystem::path place_of(const std::filesystem::path& file);

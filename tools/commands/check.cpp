@@ -175,7 +175,8 @@ void add_check(CLI::App& app, Command& command) {
     allow_standard_output(
         *check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml"));
     check.add_option("--shots", options->shots, "Draw the deciding step of each failed claim into this folder")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     check.add_flag("--require-claims", options->check.require_claims, "A scene without claims fails");
     check.add_flag("--fail-fast", options->check.stop_at_failure, "Begin no other scene after one that fails");
     check.add_flag(

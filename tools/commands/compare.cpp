@@ -170,7 +170,8 @@ void add_compare(CLI::App& app, Command& command) {
     allow_standard_output(*compare_app
                                .add_option("-o,--output", options->page,
                                            "Write an HTML page that plays both, with pictures, plots and differences")
-                               ->type_name("F.html"));
+                               ->type_name("F.html"))
+        .check(page_name());
     allow_standard_output(
         *compare_app.add_option("--csv", options->csv, "Write the differences and both energies of each step")
              ->type_name("F.csv"));

@@ -10,6 +10,7 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/run_report.hpp"
@@ -113,7 +114,8 @@ void add_demo(CLI::App& app, Command& command) {
     demo.add_flag("--list", options->list, "List the shipped scenes");
     demo.add_flag("--print", options->print, "Print the scene file instead of running it, as a start for your own");
     demo.add_option("-o,--output", options->folder, "Folder for the results; default: a folder that each demo replaces")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     add_renderer_option(demo, options->renderer);
     demo.add_flag("--force", options->force, "Replace the results of an earlier run in DIR");
     demo.callback([&command, options] {

@@ -109,6 +109,7 @@ void add_gallery(CLI::App& app, Command& command) {
     add_change_options(gallery, options->gallery.check.changes);
     gallery.add_option("-o,--output", options->folder, "Folder for index.html and sheet.png")
         ->type_name("DIR")
+        ->check(folder_name())
         ->required();
     gallery
         .add_option("--at", options->gallery.time,

@@ -8,6 +8,7 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
+#include "tools/cli/shell_word.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/hash_update.hpp"
@@ -55,7 +56,7 @@ ExitCode init(const Command& command, const fs::path& folder) {
         return ExitCode::ok;
     }
     for (const std::string& path : paths) write_report((folder / path).string() + "\n");
-    narrate_progress("next: cd " + folder.string() + " && make check\n");
+    narrate_progress("next: cd " + shell_word(folder.string()) + " && make check\n");
     return ExitCode::ok;
 }
 
@@ -65,7 +66,9 @@ void add_init(CLI::App& app, Command& command) {
     const auto folder = std::make_shared<fs::path>();
     CLI::App& app_init =
         add_subcommand(app, command, "init", "Make a project folder: scenes with claims, a Makefile, CI workflows");
-    app_init.add_option("NAME", *folder, "Folder to make; files that exist are not replaced")->required();
+    app_init.add_option("NAME", *folder, "Folder to make; files that exist are not replaced")
+        ->required()
+        ->check(folder_name());
     app_init.callback([&command, folder] { command.action = [&command, folder] { return init(command, *folder); }; });
 }
 

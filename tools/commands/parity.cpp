@@ -140,7 +140,8 @@ void add_parity(CLI::App& app, Command& command) {
         ->check(whole_number_from_to(0, 256));
     allow_standard_output(
         *parity.add_option("--report", options->report, "Write an HTML page with plots and the worst cases")
-             ->type_name("F.html"));
+             ->type_name("F.html"))
+        .check(page_name());
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
     parity.parse_complete_callback([&parity] { warn_of_unused(parity, {"--pairs", "--seed", "--family"}, "--scene"); });

@@ -93,7 +93,8 @@ void add_physics(CLI::App& app, Command& command) {
     physics.add_flag("--short", options->effort.is_short, "Fewer phases, and nothing that takes seconds");
     allow_standard_output(
         *physics.add_option("--report", options->report, "Write an HTML page with formulas, values and plots")
-             ->type_name("F.html"));
+             ->type_name("F.html"))
+        .check(page_name());
     physics.add_flag("--force", options->force, "Replace an existing report");
     physics.add_flag("--list", options->list, "List the rows");
     physics.callback(

@@ -11,6 +11,7 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
@@ -76,7 +77,8 @@ void add_sweep(CLI::App& app, Command& command) {
         add_subcommand(app, command, "sweep", "Simulate the runs of a plan: many seeds and parameters");
     app_sweep.add_option("PLAN", options->plan, "Plan file; - is standard input")->type_name("FILE");
     app_sweep.add_option("-o,--output", options->work.folder, "Folder of the results; a sweep in it is continued")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     app_sweep.add_option("--runs", options->runs, "Number of runs, in place of the plan's")
         ->type_name("N")
         ->check(whole_number_from_to(1, sweep::kMostRuns));

@@ -7,6 +7,7 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/output/number_text.hpp"
@@ -55,6 +56,7 @@ void add_sweep_export(CLI::App& app, Command& command) {
     app_export
         .add_option("-o,--output", options->root, "Folder of all datasets, which Minari finds by MINARI_DATASETS_PATH")
         ->type_name("ROOT")
+        ->check(folder_name())
         ->required();
     app_export.add_option("--id", options->id, "Identifier of the dataset, and its folder in ROOT: friction-v0")
         ->type_name("NAME-vN")

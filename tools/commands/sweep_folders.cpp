@@ -23,6 +23,7 @@
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/verification.hpp"
 #include "tumble/file.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 
@@ -92,8 +93,13 @@ struct SweepPlotArguments {
 };
 
 ExitCode plot_sweep(const Command& command, const SweepPlotArguments& options) {
+    const bool is_png = options.picture.extension() == ".png";
+    if (!is_png && options.picture.extension() != ".svg" && !is_standard_output(options.picture))
+        throw CLI::ValidationError("--output",
+                                   "expected a file name that ends in .svg or .png, got " + options.picture.string());
     refuse_to_overwrite(options.picture, options.force);
-    write_file(options.picture, to_svg(draw_sweep(sweep::table_file(options.folder), options.plot)), options.force);
+    const Drawing drawing = draw_sweep(sweep::table_file(options.folder), options.plot);
+    write_file(options.picture, is_png ? to_png(draw_image(drawing)) : to_svg(drawing), options.force);
     JsonWriter json;
     json.open_object().member("picture", options.picture.string()).close_object();
     command.json ? write_output(json.text() + "\n") : write_report(options.picture.string() + "\n");
@@ -102,16 +108,18 @@ ExitCode plot_sweep(const Command& command, const SweepPlotArguments& options) {
 
 void add_sweep_plot(CLI::App& app, Command& command) {
     const auto options = std::make_shared<SweepPlotArguments>();
-    CLI::App& app_plot =
-        add_subcommand(app, command, "plot", "Draw a column of the table over one or two others, as SVG");
+    CLI::App& app_plot = add_subcommand(app, command, "plot", "Draw a column of the table over one or two others");
     app_plot.add_option("DIR", options->folder, "Folder of a complete sweep")->required();
     app_plot.add_option("--x", options->plot.x, "Column of the horizontal axis")->type_name("NAME")->required();
     app_plot
         .add_option("--y", options->plot.y, "Column of the vertical axis of a heat map; without it a dot for each run")
         ->type_name("NAME");
     app_plot.add_option("--value", options->plot.value, "Column that is shown")->type_name("NAME")->required();
-    allow_standard_output(
-        *app_plot.add_option("-o,--output", options->picture, "Picture to write")->type_name("F.svg")->required());
+    allow_standard_output(*app_plot
+                               .add_option("-o,--output", options->picture,
+                                           "Picture to write, .svg or .png; - is an SVG on standard output")
+                               ->type_name("F")
+                               ->required());
     app_plot.add_flag("--force", options->force, "Replace an existing picture");
     app_plot.callback(
         [&command, options] { command.action = [&command, options] { return plot_sweep(command, *options); }; });

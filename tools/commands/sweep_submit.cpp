@@ -113,6 +113,7 @@ void add_sweep_submit(CLI::App& app, Command& command) {
     app_submit.add_option("PLAN", options->plan, "Plan file")->type_name("FILE")->required();
     app_submit.add_option("-o,--output", options->slurm.folder, "Folder of the results, which all nodes see")
         ->type_name("DIR")
+        ->check(folder_name())
         ->required();
     app_submit.add_flag("--slurm", options->is_slurm,
                         "As a job array of Slurm, and a job that completes the folder after it");

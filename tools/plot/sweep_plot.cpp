@@ -3,24 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <istream>
-#include <memory>
 #include <set>
 #include <vector>
 
-#include "tools/output/csv_columns.hpp"
+#include "tools/output/csv_table.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/output/number_text.hpp"
 #include "tools/output/plot.hpp"
-#include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
 
 namespace {
 
-constexpr double kLeft = 80, kTop = 30, kSize = 480, kBottom = 60, kRight = 110;  // px
-constexpr std::size_t kMostCells = 200;                                           // of a grid, in one direction
-constexpr std::size_t kGathered = 40;                                             // cells of drawn values
+constexpr double kLeft = 80, kTop = 30, kSize = 480, kBottom = 60, kRight = 30, kScale = 110;  // px
+constexpr std::size_t kMostCells = 200;  // of a grid, in one direction
+constexpr std::size_t kGathered = 40;    // cells of drawn values
 constexpr Color kInk{40, 44, 52}, kDot{45, 98, 164, 150};
 
 struct Sample {
@@ -39,19 +36,12 @@ struct Range {
 
 // The lines with a number in each of the columns; y is 0 without a column of it.
 std::vector<Sample> read_samples(const std::filesystem::path& table, const SweepPlot& plot) {
-    const std::unique_ptr<std::istream> stream = open_input(table);
-    std::string line;
-    std::getline(*stream, line);
-    const std::vector<std::string> columns = cells_of(line);
+    CsvTable rows(table);
     const bool has_y = !plot.y.empty();
-    const std::size_t x = column_of(columns, plot.x, table), y = has_y ? column_of(columns, plot.y, table) : x,
-                      value = column_of(columns, plot.value, table);
+    const std::size_t x = rows.column(plot.x), y = has_y ? rows.column(plot.y) : x, value = rows.column(plot.value);
     std::vector<Sample> samples;
-    for (int number = 2; std::getline(*stream, line); ++number) {
-        const std::vector<std::string> cells = cells_of(line);
-        if (cells.size() != columns.size())
-            throw InputError(table.string() + ":" + std::to_string(number) + ": has not all columns");
-        const auto number_in = [&](std::size_t column) { return number_of(cells[column]).value_or(std::nan("")); };
+    while (rows.next()) {
+        const auto number_in = [&](std::size_t column) { return number_of(rows.cell(column)).value_or(std::nan("")); };
         const Sample sample{number_in(x), has_y ? number_in(y) : 0.0, number_in(value)};
         if (std::isfinite(sample.x) && std::isfinite(sample.y) && std::isfinite(sample.value))
             samples.push_back(sample);
@@ -149,9 +139,12 @@ void draw_heat_map(Drawing& drawing, const SweepPlot& plot, const std::vector<Sa
 void draw_dots(Drawing& drawing, const SweepPlot& plot, const std::vector<Sample>& samples) {
     const Range x = range_of(samples, &Sample::x), values = range_of(samples, &Sample::value);
     constexpr double kMargin = 0.02;
+    // Few dots are large enough to be seen, and many do not cover each other.
+    const double radius = std::clamp(40.0 / std::sqrt(static_cast<double>(samples.size())), 1.5, 4.0);
     const auto placed = [](double part) { return kSize * (kMargin + (1.0 - 2.0 * kMargin) * part); };
     for (const Sample& sample : samples)
-        drawing.disc({kLeft + placed(x.part(sample.x)), kTop + kSize - placed(values.part(sample.value))}, 1.5, kDot);
+        drawing.disc({kLeft + placed(x.part(sample.x)), kTop + kSize - placed(values.part(sample.value))}, radius,
+                     kDot);
     draw_axes(drawing, plot, x, values, kMargin, kMargin);
 }
 
@@ -159,7 +152,7 @@ void draw_dots(Drawing& drawing, const SweepPlot& plot, const std::vector<Sample
 
 Drawing draw_sweep(const std::filesystem::path& table, const SweepPlot& plot) {
     const std::vector<Sample> samples = read_samples(table, plot);
-    Drawing drawing{.width = static_cast<int>(kLeft + kSize + kRight),
+    Drawing drawing{.width = static_cast<int>(kLeft + kSize + (plot.y.empty() ? kRight : kScale)),
                     .height = static_cast<int>(kTop + kSize + kBottom)};
     plot.y.empty() ? draw_dots(drawing, plot, samples) : draw_heat_map(drawing, plot, samples);
     for (const auto& [from, to] : {std::pair<DVec2, DVec2>{{kLeft, kTop + kSize}, {kLeft + kSize, kTop + kSize}},

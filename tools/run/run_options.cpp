@@ -106,6 +106,16 @@ CLI::Validator is_table_name() {
     return {check, ""};
 }
 
+void add_tables(CLI::App& subcommand, RunOptions& options) {
+    const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
+        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"))
+            .check(is_table_name());
+    };
+    add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
+    add_table("--contacts", options.contacts, "Write every contact point after each step");
+    add_table("--hashes", options.hashes, "Write the state hash after each step");
+}
+
 }  // namespace
 
 FrameSize RunOptions::whole_size() const { return {size.width, size.height + height_of_plots(plot.size())}; }
@@ -174,7 +184,8 @@ void add_threads_option(CLI::App& subcommand, int& threads) {
 
 void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_option("-o,--output", options.folder, "Folder for the results; default out/<scene name>")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     subcommand.add_option("--duration", options.duration, "Simulated time in seconds; default: that of the scene")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration));
@@ -198,23 +209,18 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
                         "Plot these expressions below the frames, with the time of each: ball.y, energy, ...")
             ->type_name("EXPRESSION");
     add_renderer_option(subcommand, options.renderer);
-    const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
-        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"))
-            .check(is_table_name());
+    add_tables(subcommand, options);
+    const auto add_page = [&](const char* name, std::filesystem::path& file, const char* description) {
+        return allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.html"))
+            .check(page_name());
     };
-    add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
-    add_table("--contacts", options.contacts, "Write every contact point after each step");
-    add_table("--hashes", options.hashes, "Write the state hash after each step");
-    CLI::Option* const replay = &allow_standard_output(
-        *subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
-             ->type_name("F.html"));
+    CLI::Option* const replay = add_page("--replay", options.replay, "Write a page that plays the run in a browser");
     subcommand
         .add_flag("--no-replay-contacts", options.no_replay_contacts,
                   "Leave the contact points out of the replay: a page of half the size")
         ->needs(replay);
-    CLI::Option* const report = &allow_standard_output(
-        *subcommand.add_option("--report", options.report, "Write a page that tells what is wrong with the run")
-             ->type_name("F.html"));
+    CLI::Option* const report =
+        add_page("--report", options.report, "Write a page that tells what is wrong with the run");
     subcommand
         .add_flag("--fail-on-findings", options.fail_on_findings, "End with exit code 7 if the report has findings")
         ->needs(report);

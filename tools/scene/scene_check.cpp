@@ -51,12 +51,12 @@ void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCh
         ++check.steps;
     }
     check.state_hash = run.world().state_hash();
-    check.expectations = watch.results();
     if (check.steps < step_count && !run.is_stopped()) {
         check.code = interruption_code();
         check.error = "interrupted at step " + std::to_string(check.steps) + " of " + std::to_string(step_count);
         return;
     }
+    check.expectations = watch.results();
     decide_outer_claims(scene, options, check);
     check.was_simulated = true;
     for (const ExpectationResult& result : check.expectations)

@@ -1,9 +1,13 @@
 #include "tools/sweep/estimate.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "sweep/store/tar.hpp"
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/csv_table.hpp"
 #include "tools/sweep/runs/run_record.hpp"
 
 namespace tumble::tools {
@@ -15,6 +19,13 @@ std::size_t bytes_of(const sweep::Plan& plan, const RunRecord& record) {
         record.row.size() + record.trajectory.numbers.size() * static_cast<std::size_t>(plan.write.trajectory_bits) / 8;
     for (const auto& [suffix, member] : record.members) bytes += sweep::tar_member(suffix, member).size();
     return bytes;
+}
+
+// Empty for a run that has an end state. The message is the last column of the table.
+std::string failure_of(const RunRecord& record) {
+    if (record.outcome == "ok" || record.outcome == "filtered") return {};
+    const std::optional<std::vector<std::string>> cells = cells_of(record.row.substr(0, record.row.find('\n')));
+    return "run " + std::to_string(record.run) + " (" + record.outcome + "): " + (cells ? cells->back() : "");
 }
 
 }  // namespace
@@ -31,6 +42,7 @@ SweepEstimate estimate_sweep(const sweep::Plan& plan, int jobs) {
         const std::uint64_t part = plan.runs / estimate.sampled;
         const RunRecord record = maker.make(i * part + part / 2);
         ++estimate.outcomes[record.outcome];
+        if (estimate.failure.empty()) estimate.failure = failure_of(record);
         bytes += bytes_of(plan, record);
     }
     const auto sampled = static_cast<double>(estimate.sampled), runs = static_cast<double>(plan.runs);

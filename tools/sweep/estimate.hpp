@@ -13,6 +13,7 @@ struct SweepEstimate {
     std::uint64_t runs = 0, shards = 0, shard_runs = 0;
     std::uint64_t sampled = 0;
     std::map<std::string, std::uint64_t> outcomes{};  // of the sample
+    std::string failure{};                            // the first run of the sample without an end state, and why
     double seconds_per_run = 0.0;                     // on one thread
     double seconds = 0.0;                             // of all runs, on `jobs` threads, without storing files
     double bytes = 0.0;                               // of all files, without the metadata of HDF5

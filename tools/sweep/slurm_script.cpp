@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "tools/cli/shell_word.hpp"
 #include "tools/sweep/sweep_folder.hpp"
 
 namespace tumble::tools {
@@ -11,13 +12,6 @@ namespace tumble::tools {
 namespace fs = std::filesystem;
 
 namespace {
-
-// In single quotes, for a shell.
-std::string shell_quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
 
 std::string head(const SlurmOptions& options, const std::string& name) {
     std::string text = "#!/bin/sh\n#SBATCH --job-name=" + name + "\n";
@@ -66,16 +60,16 @@ std::string missing_tasks(const sweep::Plan& plan, const fs::path& folder, std::
 std::string slurm_script(const sweep::Plan& plan, const SlurmOptions& options, const std::string& array) {
     return head(options, job_name(plan)) + "#SBATCH --array=" + array +
            "\n#SBATCH --requeue\n#SBATCH --open-mode=append\n#SBATCH --output=" + options.folder.string() +
-           ".slurm/%a.log\nexec " + shell_quoted(options.program) + " sweep " +
-           shell_quoted(fs::absolute(plan.file).string()) + " -o " + shell_quoted(options.folder.string()) +
-           " --runs " + std::to_string(plan.runs) + (plan.allow_outside ? " --allow-outside" : "") +
+           ".slurm/%a.log\nexec " + shell_word(options.program) + " sweep " +
+           shell_word(fs::absolute(plan.file).string()) + " -o " + shell_word(options.folder.string()) + " --runs " +
+           std::to_string(plan.runs) + (plan.allow_outside ? " --allow-outside" : "") +
            " --shard \"$SLURM_ARRAY_TASK_ID\"/" + std::to_string(options.tasks) + " -j \"${SLURM_CPUS_PER_TASK:-1}\"\n";
 }
 
 std::string merge_script(const sweep::Plan& plan, const SlurmOptions& options) {
     return head(options, job_name(plan) + "-merge") + "#SBATCH --output=" + options.folder.string() +
-           ".slurm/merge.log\nexec " + shell_quoted(options.program) + " sweep merge " +
-           shell_quoted(options.folder.string()) + "\n";
+           ".slurm/merge.log\nexec " + shell_word(options.program) + " sweep merge " +
+           shell_word(options.folder.string()) + "\n";
 }
 
 }  // namespace tumble::tools

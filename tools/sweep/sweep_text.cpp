@@ -116,7 +116,8 @@ std::string to_text(const sweep::Plan& plan, const SweepEstimate& estimate) {
            three_digits(estimate.seconds_per_run * 1e3, "ms") +
            " for a run, not counting the time to store files\nabout " + bytes_text(estimate.bytes) + " in " +
            counted(estimate.files, "file") + ", not counting the metadata of HDF5\nof " +
-           counted(estimate.sampled, "sampled run") + ": " + outcomes_text(estimate.outcomes) + "\n";
+           counted(estimate.sampled, "sampled run") + ": " + outcomes_text(estimate.outcomes) + "\n" +
+           (estimate.failure.empty() ? "" : "  " + estimate.failure + "\n");
 }
 
 std::string to_json(const SweepEstimate& estimate) {
@@ -124,6 +125,7 @@ std::string to_json(const SweepEstimate& estimate) {
     json.open_object().member("runs", estimate.runs).member("shards", estimate.shards);
     json.member("shard_runs", estimate.shard_runs).member("sampled", estimate.sampled);
     write_outcomes(json, estimate.outcomes);
+    if (!estimate.failure.empty()) json.member("failure", estimate.failure);
     json.member("seconds_per_run", estimate.seconds_per_run).member("seconds", estimate.seconds);
     json.member("bytes", estimate.bytes).member("files", estimate.files).close_object();
     return json.text() + "\n";

@@ -11,7 +11,7 @@
 #include "sweep/plan/permutation.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "tools/cli/interrupt.hpp"
-#include "tools/output/csv_columns.hpp"
+#include "tools/output/csv_table.hpp"
 #include "tools/sweep/runs/run_record.hpp"
 #include "tools/sweep/runs/scene_texts.hpp"
 #include "tools/sweep/sweep_folder.hpp"
@@ -53,9 +53,9 @@ std::vector<sweep::StoredFile> stored_files(const sweep::Manifest& manifest) {
 
 // Whether the same command would give other results on another machine, or at another time.
 bool depends_on_machine(const std::string& line, std::size_t outcome_column) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.size() <= outcome_column) return false;
-    const std::string& outcome = cells[outcome_column];
+    const std::optional<std::vector<std::string>> cells = cells_of(line);
+    if (!cells || cells->size() <= outcome_column) return false;
+    const std::string& outcome = (*cells)[outcome_column];
     return outcome == "timed_out" || outcome == "failed" || outcome == "crashed";
 }
 

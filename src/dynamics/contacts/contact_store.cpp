@@ -52,9 +52,12 @@ void ContactStore::add_woken(std::span<const Contact> contacts) {
 
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
-    std::sort(woken_.begin(), woken_.end(), [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; });
+    std::vector<const Contact*> sorted;
+    for (const Contact& contact : woken_) sorted.push_back(&contact);
+    std::sort(sorted.begin(), sorted.end(), [](const Contact* a, const Contact* b) { return a->shapes < b->shapes; });
     insert(
-        woken_.size(), [&](std::size_t i) { return woken_[i].shapes; }, [&](std::size_t i) { return woken_[i]; });
+        sorted.size(), [&](std::size_t i) { return sorted[i]->shapes; },
+        [&](std::size_t i) -> const Contact& { return *sorted[i]; });
     woken_.clear();
 }
 

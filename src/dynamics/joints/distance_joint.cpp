@@ -10,7 +10,6 @@ void DistanceJoint::prepare(const BodyStore& bodies) {
     bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
                                 def_.anchor_b);
     line_ = JointLine::along(bodies_.separation_at_start());
-    is_lone_ = is_lone_joint(bodies, def_.body_a.index, def_.body_b.index);
 }
 
 void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {

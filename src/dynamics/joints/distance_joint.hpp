@@ -20,6 +20,8 @@ public:
         : def_(def), drive_(def.spring, drive_motor(def.motor), def.limits) {}
 
     void prepare(const BodyStore& bodies);
+    // Whether it is the only joint with rows of its dynamic bodies in this step.
+    void set_lone(bool is_lone) { is_lone_ = is_lone; }
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 

@@ -44,21 +44,21 @@ JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool
 
 bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
     if (!group.is_held || !group.is_rigid || group.joints.size() > kMostJoints) return false;
+    // The only joint of its bodies has a solution of its own (rows/lone_joint.hpp).
+    if (group.joints.size() == 1) return false;
     float lightest = std::numeric_limits<float>::infinity(), heaviest = 0.0f;
-    bool has_others = group.joints.size() > 1;
     for (const std::uint32_t body : group.bodies) {
         lightest = std::min(lightest, bodies.records[body].mass.mass);
         heaviest = std::max(heaviest, bodies.records[body].mass.mass);
-        has_others |= bodies.records[body].joints.size() > 1;
     }
-    // The only joint of its bodies has a solution of its own (rows/lone_joint.hpp).
-    return has_others && heaviest <= kLargestMassRatio * lightest;
+    return heaviest <= kLargestMassRatio * lightest;
 }
 
 void JointGroups::find(JointSolver solver, const std::vector<GroupedJoint>& joints, const BodyStore& bodies) {
     solver_ = solver;
     groups_.clear();
     is_direct_.assign(joints.size(), solver == JointSolver::direct);
+    is_lone_.assign(joints.size(), false);
     has_direct_ = solver == JointSolver::direct;
     if (solver == JointSolver::direct) return;
     std::vector<bool> left(joints.size());
@@ -66,12 +66,13 @@ void JointGroups::find(JointSolver solver, const std::vector<GroupedJoint>& join
     for (std::uint32_t joint = 0; joint < joints.size(); ++joint) {
         if (!left[joint]) continue;
         Group group = take_group(joint, left, joints, bodies);
+        is_lone_[joint] = group.joints.size() == 1;
         if (suits(group, bodies)) groups_.push_back(std::move(group));
     }
 }
 
 std::size_t JointGroups::bytes() const {
-    std::size_t bytes = groups_.capacity() * sizeof(Group) + is_direct_.capacity() / 8;
+    std::size_t bytes = groups_.capacity() * sizeof(Group) + (is_direct_.capacity() + is_lone_.capacity()) / 8;
     for (const Group& group : groups_)
         bytes += (group.joints.capacity() + group.bodies.capacity()) * sizeof(std::uint32_t);
     return bytes;

@@ -1,4 +1,4 @@
-// Which joints the direct solver takes.
+// Which joints the direct solver takes, and which joints are the only ones of their bodies (rows/lone_joint.hpp).
 //
 // With JointSolver::direct it takes all. With JointSolver::iterative it takes those of small mechanisms, such as a
 // double pendulum or a four-bar linkage: groups of few rigid joints that a static or kinematic body holds, while none
@@ -52,6 +52,12 @@ public:
         return is_direct_[joint];
     }
 
+    // Whether no other joint with rows acts on the dynamic bodies of the joint. False if the solver takes all directly.
+    bool is_lone(std::uint32_t joint) const {
+        TUMBLE_CHECK(joint < is_lone_.size());
+        return is_lone_[joint];
+    }
+
     std::size_t bytes() const;
 
 private:
@@ -69,6 +75,7 @@ private:
     JointSolver solver_ = JointSolver::iterative;
     std::vector<Group> groups_;    // that the direct solver may take
     std::vector<bool> is_direct_;  // by joint index
+    std::vector<bool> is_lone_;    // by joint index
     bool has_direct_ = false;
 };
 

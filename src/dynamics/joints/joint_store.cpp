@@ -187,11 +187,14 @@ void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew
         TUMBLE_CHECK(std::is_sorted(list.awake.begin(), list.awake.end()));
         TUMBLE_CHECK(list.awake.size() + list.free.size() <= list.joints.size());
     });
-    for_each_list(*this, [&](auto& list) {
-        crew.for_each(list.awake.size(), kLeastJoints,
-                      [&](std::size_t i) { list.joints[list.awake[i].slot].prepare(bodies); });
-    });
     if (!has_groups_) find_groups(bodies, solver);
+    for_each_list(*this, [&](auto& list) {
+        crew.for_each(list.awake.size(), kLeastJoints, [&](std::size_t i) {
+            auto& joint = list.joints[list.awake[i].slot];
+            joint.prepare(bodies);
+            if constexpr (requires { joint.set_lone(true); }) joint.set_lone(groups_.is_lone(list.awake[i].joint));
+        });
+    });
 }
 
 void JointStore::warm_start(std::span<SolverBody> bodies) const {

@@ -10,7 +10,6 @@ void RevoluteJoint::prepare(const BodyStore& bodies) {
     const BodyFrame& a = bodies.frames[body_a_];
     const BodyFrame& b = bodies.frames[body_b_];
     bodies_ = JointBodies::make(a, anchor_a_, b, anchor_b_);
-    is_lone_ = is_lone_joint(bodies, body_a_, body_b_);
     if (drive_.needs_value()) angle_.prepare(a, b, reference_angle_);
 }
 

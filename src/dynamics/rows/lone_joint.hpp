@@ -13,15 +13,6 @@
 
 namespace tumble {
 
-// True if no dynamic one of the two bodies has another joint.
-inline bool is_lone_joint(const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
-    const auto has_one = [&](std::uint32_t body) {
-        TUMBLE_CHECK(body < bodies.records.size());
-        return !bodies.is_dynamic(body) || bodies.records[body].joints.size() == 1;
-    };
-    return has_one(body_a) && has_one(body_b);
-}
-
 // The mean velocity of a turning arm in the sub-step, less that at its start. By the turn q = h w the arm becomes c arm
 // + s perp(arm), so that this is ((c - 1) arm + (s - q) perp(arm)) / h.
 inline Vec2 chord_bend(const SolverBody& body, Vec2 arm, const JointContext& context) {

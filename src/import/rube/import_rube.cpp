@@ -225,7 +225,8 @@ ImportedScene parse_rube(std::string_view content, const std::string& file_name)
                               "open it in the editor, export the scene as JSON, and import that file",
                               scene::Diagnostics::At::key);
         } else if (document->is_object() && !document->contains("body") && !document->contains("gravity")) {
-            diagnostics.error("", "this is not a R.U.B.E. export: it has neither \"body\" nor \"gravity\"");
+            diagnostics.error("", "this is not a R.U.B.E. export: it has neither \"body\" nor \"gravity\"",
+                              document->contains("bodies") ? "it seems to be a scene, which needs no import" : "");
         } else {
             imported = scene::RubeImporter(diagnostics).import(*document);
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/style/style.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble::render {
 
@@ -49,15 +50,24 @@ std::vector<Placed> placed_images(const Scene& scene, const SceneWorld& world) {
     return all;
 }
 
+// The picture of a file; none if there is no such file. A pipe would never end.
+std::optional<Image> read_if_there(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::file_type type = std::filesystem::status(file, error).type();
+    if (type == std::filesystem::file_type::not_found) return std::nullopt;
+    if (error) throw FileError(file, error.message());
+    const bool is_file = type == std::filesystem::file_type::regular;
+    if (!is_file && type != std::filesystem::file_type::directory) throw FileError(file, "is no regular file");
+    return read_picture(file);
+}
+
 }  // namespace
 
 const Image* ImageFiles::find(const std::filesystem::path& file) {
     if (file.empty()) return nullptr;
     auto entry = files_.find(file);
     if (entry == files_.end()) {
-        std::error_code ignored;
-        std::optional<Image> image;
-        if (std::filesystem::exists(file, ignored)) image = read_picture(file);
+        std::optional<Image> image = read_if_there(file);
         if (image) pixels_ += pixels_of(*image);
         entry = files_.emplace(file, std::move(image)).first;
     }

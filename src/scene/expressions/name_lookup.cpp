@@ -1,6 +1,8 @@
 #include "scene/expressions/name_lookup.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "tumble/suggest.hpp"
 
@@ -35,6 +37,22 @@ bool has_property(SceneJointType type, JointProperty property) {
         case JointProperty::speed: return turns || slides || has_length;
         default: return true;
     }
+}
+
+// What other engines call a property of a body, also as a vector: velocity.x, position[0].
+std::string own_property(std::string_view word, std::span<const std::string_view> words) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kForeign{
+        {{"position", "x or y"},
+         {"pos", "x or y"},
+         {"velocity", "vx, vy or speed"},
+         {"vel", "vx, vy or speed"},
+         {"rotation", "angle, in degrees"},
+         {"theta", "angle, in degrees"},
+         {"angular_velocity", "spin, in degrees/s"},
+         {"omega", "spin, in degrees/s"}}};
+    for (const auto& [foreign, own] : kForeign)
+        if (word.substr(0, word.find('[')) == foreign) return "this grammar has " + std::string(own);
+    return suggestion(word, words);
 }
 
 }  // namespace
@@ -90,15 +108,15 @@ BodyRef NameLookup::common(const std::string& name) const {
 }
 
 // The function around a common name goes through its copies, and through no others.
-void NameLookup::go_through_copies(const Token& name, bool are_joints, const std::string& property) {
+void NameLookup::go_through_copies(const Token& name, bool are_joints) {
     std::optional<Copies>& copies = around_copies().copies;
     if (!copies && are_joints) {
         const NamedCopy first = *find_joint(name.text);
         copies =
             Copies{add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}),
-                   true, property};
+                   true, name.begin};
     } else if (!copies) {
-        copies = Copies{add(common(name.text)), false, property};
+        copies = Copies{add(common(name.text)), false, name.begin};
     }
     if (copies->are_joints != are_joints || name_of(*copies) != name.text)
         throw ExpressionError(name.begin, "a function about copies takes the copies of one body or joint: '" +
@@ -107,12 +125,13 @@ void NameLookup::go_through_copies(const Token& name, bool are_joints, const std
 
 // Without a function around it, a common name has no property.
 void NameLookup::refuse_common(const Token& name, const Property& property) const {
+    const std::string one = in_expression(copy_name(name.text, 0)) + "." + property.text;
     const std::string value = in_expression(name.text) + "." + property.text;
     const bool is_number = property.kind == kNumber;
     const std::string condition = value + (is_number ? " > 0" : "");
     throw ExpressionError(name.begin, "'" + name.text + "' stands for several copies",
-                          "name one, " + in_expression(copy_name(name.text, 0)) + ", or all of them: all(" + condition +
-                              "), any(" + condition + "), " + (is_number ? "max(" : "count(") + value + ")");
+                          "name one, " + one + ", or all of them: all(" + condition + "), any(" + condition + "), " +
+                              (is_number ? "max(" : "count(") + value + ")");
 }
 
 std::size_t NameLookup::body(const Token& name, const std::optional<Property>& property) {
@@ -123,7 +142,7 @@ std::size_t NameLookup::body(const Token& name, const std::optional<Property>& p
     if (known_->bodies.is_shared(name.text)) {
         if (around_.empty() && !property) return add(common(name.text));
         if (around_.empty()) refuse_common(name, *property);
-        go_through_copies(name, false, property ? property->text : "");
+        go_through_copies(name, false);
         return add(BodyRef{.name = name.text, .is_current = true});
     }
     if (known_->bodies.is_spawned(name.text)) return add(BodyRef{.name = name.text});
@@ -142,7 +161,7 @@ Node NameLookup::property(const Token& name, const Token& word) {
         const std::vector<std::string_view> words = has_joint_words ? names_of(joint_words()) : names_of(body_words());
         throw ExpressionError(word.begin,
                               std::string("a ") + (is_body ? "body" : "joint") + " has no property '" + word.text + "'",
-                              suggestion(word.text, words));
+                              is_body ? own_property(word.text, words) : suggestion(word.text, words));
     }
     if (of_body == nullptr) {
         body(name, Property{word.text, of_joint->kind});
@@ -167,7 +186,7 @@ Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const
     program_.spans.push_back({name.begin, name.end, name.text});
     const bool is_common = known_->joints.is_shared(name.text);
     if (is_common && around_.empty()) refuse_common(name, {word.text, found.kind});
-    if (is_common) go_through_copies(name, true, word.text);
+    if (is_common) go_through_copies(name, true);
     return {
         .op = Op::joint_value,
         .kind = found.kind,
@@ -183,13 +202,20 @@ std::optional<std::size_t> NameLookup::given_value(const Token& name) const {
     return static_cast<std::size_t>(found - known_->values.begin());
 }
 
-void NameLookup::refuse_alone(const Token& name) const {
-    if (is_unchecked() || is_known_body(name.text))
+void NameLookup::refuse_alone(const Token& name, const std::string& touched) const {
+    const bool is_body = is_unchecked() || is_known_body(name.text);
+    if (is_body && !is_unchecked() && is_known_body(touched))
         throw ExpressionError(name.begin, "the body '" + name.text + "' alone is no value",
-                              "ask for a property: " + in_expression(name.text) + ".x");
-    if (find_joint(name.text))
-        throw ExpressionError(name.begin, "the joint '" + name.text + "' alone is no value",
-                              "ask for a property: " + in_expression(name.text) + ".force");
+                              "write touching(" + in_expression(name.text) + ", " + in_expression(touched) + ")");
+    if (is_body || find_joint(name.text)) {
+        const bool is_common =
+            !is_unchecked() && (is_body ? known_->bodies.is_shared(name.text) : known_->joints.is_shared(name.text));
+        const bool names_one = is_common && around_.empty();
+        throw ExpressionError(
+            name.begin, std::string("the ") + (is_body ? "body" : "joint") + " '" + name.text + "' alone is no value",
+            "ask for a property: " + in_expression(names_one ? copy_name(name.text, 0) : name.text) +
+                (is_body ? ".x" : ".force"));
+    }
     std::string hint = hint_for_quotes(name.text, known_->scene);
     std::vector<std::string_view> words = names_of(world_words());
     words.insert(words.end(), known_->values.begin(), known_->values.end());

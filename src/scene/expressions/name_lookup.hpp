@@ -27,15 +27,16 @@ public:
     // The index of a value that the program gave.
     std::optional<std::size_t> given_value(const Token& name) const;
 
-    // To be called for a name without a property, which is no value of the world.
-    [[noreturn]] void refuse_alone(const Token& name) const;
+    // To be called for a name without a property, which is no value of the world. `touched` is the name that follows in
+    // the manner of "ball hits floor", or empty.
+    [[noreturn]] void refuse_alone(const Token& name, const std::string& touched) const;
 
-    // The copies of a body or joint: the index in Program::bodies or Program::joints, and the property that the text
-    // asks of them first, empty if they are an argument themselves.
+    // The copies of a body or joint: the index in Program::bodies or Program::joints, and the byte of the text at which
+    // they are named first.
     struct Copies {
         std::size_t index = 0;
         bool are_joints = false;
-        std::string property;
+        std::size_t begin = 0;
     };
     const std::string& name_of(const Copies& copies) const;
 
@@ -62,7 +63,7 @@ private:
     std::optional<NamedCopy> find_joint(const std::string& name) const;
     bool is_known_body(const std::string& name) const;
     Around& around_copies();
-    void go_through_copies(const Token& name, bool are_joints, const std::string& property);
+    void go_through_copies(const Token& name, bool are_joints);
     BodyRef common(const std::string& name) const;
     [[noreturn]] void refuse_common(const Token& name, const Property& property) const;
     [[noreturn]] void refuse_unknown(const Token& name, const std::string& what) const;

@@ -1,5 +1,6 @@
 // A recursive descent with one loop for all binary operators, which climbs by their precedence (Richards 1979). Names
 // are looked up and kinds are checked while parsing, so that every error has its place in the text.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -54,12 +55,17 @@ std::string_view own_word(std::string_view sign) {
     return {};
 }
 
+bool is_touch_word(std::string_view word) {
+    constexpr std::array<std::string_view, 10> kWords{"contact", "contacts", "collides", "collision", "hit",
+                                                      "hits",    "overlaps", "touch",    "touches",   "touching"};
+    return std::ranges::find(kWords, word) != kWords.end();
+}
+
 // What other languages call a function.
 std::string own_function(const std::string& name) {
     if (name == "where") return "write if(condition, a, b)";
     if (name == "clip") return "write clamp(a, low, high)";
-    for (const std::string_view touch : {"contact", "contacts", "collides", "collision", "hit", "hits", "overlaps"})
-        if (name == touch) return "write touching(a, b)";
+    if (is_touch_word(name)) return "write touching(a, b)";
     return suggestion(name, names_of(function_words()));
 }
 
@@ -81,6 +87,8 @@ private:
     const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
     Token take() { return now().kind == Token::Kind::end ? now() : tokens_[at_++]; }
     std::string source(const Node& node) const { return std::string(text_.substr(node.begin, node.end - node.begin)); }
+    // Of the token that was taken last, so that a part of the text that ends in a bracket has its bracket.
+    std::size_t taken_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].end; }
 
     [[noreturn]] void unexpected(const std::string& wanted) const {
         const Token& token = now();
@@ -116,28 +124,32 @@ private:
         if (++depth_ > kMaxExpressionDepth)
             throw ExpressionError(
                 now().begin, "the expression is nested deeper than " + std::to_string(kMaxExpressionDepth) + " levels");
+        const std::size_t begin = now().begin;
         std::size_t left = prefix();
-        std::size_t last_compared = 0;  // right side of the comparison before, in a < b < c
+        std::size_t last_compared = 0, last_begin = 0;  // right side of the comparison before, in a < b < c
         bool is_chain = false;
         for (const Operator* found = find_operator(now()); found != nullptr && found->level >= least_level;
              found = find_operator(now())) {
             const Operator op = *found;
             take();
+            const std::size_t right_begin = now().begin;
             const std::size_t right = expression(op.level + 1);
             if (op.level == kCompare && is_chain) {
-                const std::size_t more = binary(op, last_compared, right);
-                left = binary(kOperators[1], left, more);
+                const std::size_t more = binary(op, last_compared, right, last_begin);
+                left = binary(kOperators[1], left, more, begin);
             } else {
-                left = binary(op, left, right);
+                left = binary(op, left, right, begin);
             }
             is_chain = op.level == kCompare;
             last_compared = right;
+            last_begin = right_begin;
         }
         --depth_;
         return left;
     }
 
-    std::size_t binary(const Operator& op, std::size_t left, std::size_t right) {
+    // `begin` is where the text of the left side begins, with its brackets.
+    std::size_t binary(const Operator& op, std::size_t left, std::size_t right, std::size_t begin) {
         const bool of_any_kind = op.op == Op::equal || op.op == Op::not_equal;
         const ValueKind takes = of_any_kind ? program_.nodes[left].kind : op.takes;
         const std::string where = "'" + std::string(op.sign) + "'";
@@ -147,8 +159,8 @@ private:
         return add({.op = op.op,
                     .kind = is_condition ? kCondition : kNumber,
                     .operands = {left, right},
-                    .begin = program_.nodes[left].begin,
-                    .end = program_.nodes[right].end});
+                    .begin = begin,
+                    .end = taken_end()});
     }
 
     std::size_t prefix() {
@@ -157,25 +169,24 @@ private:
             take();
             const std::size_t operand = expression(kCompare);
             require_kind(operand, kCondition, "'not'");
-            return add({.op = Op::negation,
-                        .kind = kCondition,
-                        .operands = {operand},
-                        .begin = begin,
-                        .end = program_.nodes[operand].end});
+            return add(
+                {.op = Op::negation, .kind = kCondition, .operands = {operand}, .begin = begin, .end = taken_end()});
         }
         if (now().is("-")) {
             take();
             const std::size_t operand = expression(kSign);
             require_kind(operand, kNumber, "'-'");
-            return add({.op = Op::negate, .operands = {operand}, .begin = begin, .end = program_.nodes[operand].end});
+            return add({.op = Op::negate, .operands = {operand}, .begin = begin, .end = taken_end()});
         }
         return power();
     }
 
     std::size_t power() {
+        const std::size_t begin = now().begin;
         const std::size_t base = primary();
         if (!now().is("^")) return base;
         require_kind(base, kNumber, "'^'");
+        const std::string of_base = source(program_.nodes[base]);
         take();
         const bool is_negative = now().is("-");
         if (is_negative) take();
@@ -183,11 +194,11 @@ private:
         if (exponent.kind != Token::Kind::number || exponent.number != std::floor(exponent.number) ||
             exponent.number > kMaxExponent)
             throw ExpressionError(exponent.begin, "an exponent must be a whole number of at most 64",
-                                  "sqrt(a) is the square root");
+                                  "sqrt(" + of_base + ") is the square root");
         return add({.op = Op::power,
                     .number = is_negative ? -exponent.number : exponent.number,
                     .operands = {base},
-                    .begin = program_.nodes[base].begin,
+                    .begin = begin,
                     .end = exponent.end});
     }
 
@@ -220,7 +231,7 @@ private:
             return add(
                 {.op = Op::given_value, .code = static_cast<int>(*given), .begin = token.begin, .end = token.end});
         const Word<WorldValue>* word = token.is_quoted ? nullptr : find_word(world_words(), token.text);
-        if (word == nullptr) lookup_.refuse_alone(token);
+        if (word == nullptr) lookup_.refuse_alone(token, is_touch_word(now().text) ? next().text : "");
         return add({.op = Op::world_value,
                     .kind = word->kind,
                     .code = static_cast<int>(word->code),
@@ -290,20 +301,22 @@ private:
             node.is_about_joints = copies->are_joints;
         }
         const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
-        if (!copies && !may_lack_copies)
-            throw ExpressionError(
-                node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
-                std::string("a body or joint without a \"repeat\" has no copies: ") +
-                    (word.code == Function::count ? "write if(condition, 1, 0)" : "leave the function out"));
+        if (copies || may_lack_copies) return;
+        const std::string argument = source(program_.nodes[node.operands[0]]);
+        const bool counts = word.code == Function::count;
+        throw ExpressionError(node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
+                              "a body or joint without a \"repeat\" has no copies: write " +
+                                  (counts ? "if(" + argument + ", 1, 0)" : argument) + " without the function");
     }
 
-    // min and max with several arguments are of these, and not of copies.
+    // min and max with several arguments are of these, and not of copies. The hint has the argument that names them.
     [[noreturn]] void refuse_copies(const FunctionWord& word, const NameLookup::Copies& copies,
                                     const Node& node) const {
-        const std::string& name = lookup_.name_of(copies);
-        const std::string argument = copies.property.empty() ? "..." : in_expression(name) + "." + copies.property;
-        throw ExpressionError(node.begin, "'" + name + "' stands for several copies",
-                              std::string(word.name) + "(" + argument + ") with one argument is that of all copies");
+        const auto names_copies = [&](std::size_t operand) { return program_.nodes[operand].end > copies.begin; };
+        const std::size_t argument = *std::ranges::find_if(node.operands, names_copies);
+        throw ExpressionError(node.begin, "'" + lookup_.name_of(copies) + "' stands for several copies",
+                              std::string(word.name) + "(" + source(program_.nodes[argument]) +
+                                  ") with one argument is that of all copies");
     }
 
     std::string_view text_;

@@ -75,6 +75,9 @@ constexpr ForeignKey kKeys[] = {
     {"trigger", "despawn", R"~("when": "touching(a, b)")~"},
     {"condition", "despawn", R"~("when": "touching(a, b)")~"},
     {"end", "despawn", R"("stop": true)"},
+    {"then", "despawn", R"~(the action stands beside: {"when": "touching(a, b)", "stop": true})~"},
+    {"do", "despawn", R"~(the action stands beside: {"when": "touching(a, b)", "stop": true})~"},
+    {"motor_speed", "break_force", R"("motor": {"speed": 90, "max_torque": 10}, or "max_force" if it slides)"},
     {"claims", "expect", R"(claims are listed under "expect")"},
     {"assertions", "expect", R"(claims are listed under "expect")"},
     {"tests", "expect", R"(claims are listed under "expect")"},
@@ -91,6 +94,10 @@ constexpr ForeignKey kKeys[] = {
     {"target", "break_force",
      R"(of a mouse joint, "anchor" is the first target; an event moves it: )"
      R"({"at": 1, "joint": "j", "target": [0, 1]})"},
+    {"uniform", "log_range", R"("range": [lower, upper] without "count" is drawn)"},
+    {"values", "log_range", R"("list": [1, 2, 3])"},
+    {"step", "log_range", R"("count", how many values the range has)"},
+    {"steps", "log_range", R"("count", how many values the range has)"},
     {"revolute", "bodies", R"("type": "revolute")"},
     {"prismatic", "bodies", R"("type": "prismatic")"},
     {"distance", "bodies", R"("type": "distance")"},
@@ -110,6 +117,7 @@ constexpr PlainValue kPlainValues[] = {
     {"circle", R"("circle": {"radius": )", "}"},
     {"box", R"("box": {"size": [width, height]})", ""},
     {"polygon", R"("polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]})", ""},
+    {"filter", R"(of a shape: "filter": {"group": -1}; of a plan: "filter": {"that": "ball.x > 1"})", ""},
     {"grid", R"("grid": {"columns": 3, "rows": 2})", ""},
     {"include", R"({"file": "part.json"})", ""},
     {"expect", R"({"that": "ball.x > 1"})", ""},
@@ -149,6 +157,7 @@ constexpr ForeignWord kWords[] = {
     {"immovable", "static", ""},
     {"movable", "dynamic", ""},
     {"rigid", "dynamic", ""},
+    {"never", "always", R"(, of the opposite: "that": "not a.x > 1")"},
 };
 
 bool contains(std::span<const std::string_view> words, std::string_view word) {

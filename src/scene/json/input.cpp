@@ -131,6 +131,7 @@ private:
         const char c = offset < text_.size() ? text_[offset] : '\0';
         if (offset > 0 && text_[offset - 1] == '0' && (c == 'x' || c == 'b')) return "numbers are written in decimal";
         if (c == '#') return hint_for_number_sign(offset);
+        if (c == '<' && levels_.empty()) return "a drawing (SVG) becomes a scene by `tumble import`";
         if (follows_zero(offset, token)) return "a number has no zeros before it: " + token;
         if (wants_end && begins_value) return "a comma is missing before it";
         if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) return "save the file as UTF-8, not UTF-16";

@@ -30,9 +30,9 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "bodies": [{"type": "static", "mass": {"mass": 3, "inertia": 1}, "shapes": [{"box": {"size": [2, 1]}}]}]})",
      R"(Leave "mass" out, or make the body dynamic.)"},
     {kWarning, codes::missing_image, "an image without its file",
-     "The body has an image whose file does not exist or cannot be read. Without a file, frames show the outline of "
-     "the "
-     "image instead.",
+     "The body has an image whose file does not exist or cannot be read. If there is no file, frames show the outline "
+     "of the image instead. If there is a folder, a pipe or a file that cannot be read, a command that draws frames "
+     "ends with an error.",
      R"({"format": 1, "bodies": [{"shapes": [{"circle": {"radius": 0.5}}], "images": [{"file": "no.png", "height": 1}]}]})",
      "Correct the path, which is relative to the folder of the scene's file, or add the file. If it exists, allow its "
      "reading."},

@@ -71,21 +71,34 @@ public:
     void lint_images(const SceneBody& body, const std::string& pointer) {
         for (std::size_t i = 0; i < body.images.size(); ++i) {
             const std::filesystem::path& path = body.images[i].path;
-            if (path.empty() || access(path.c_str(), R_OK) == 0) continue;
-            const int error = errno;
-            if (!unreadable_.insert(path).second) continue;
-            const std::string where = pointer + "/images/" + std::to_string(i) + "/file", name = quoted(path.string());
-            if (error == ENOENT || error == ENOTDIR)
-                diagnostics_.warning(codes::missing_image, where,
-                                     "there is no file " + name + ": frames show the outline of the image",
-                                     "paths are relative to the folder of the scene's file");
-            else
-                diagnostics_.warning(codes::missing_image, where,
-                                     "the file " + name + " cannot be read: " + std::strerror(error), "");
+            if (path.empty() || !seen_images_.insert(path).second) continue;
+            lint_image(path, pointer + "/images/" + std::to_string(i) + "/file");
         }
     }
 
 private:
+    void lint_image(const std::filesystem::path& path, const std::string& where) {
+        const std::string name = quoted(path.string());
+        const auto refuse = [&](const std::string& fault) {
+            diagnostics_.warning(codes::missing_image, where, fault + ": no frames can be drawn",
+                                 "name a PNG, JPEG or BMP file that can be read");
+        };
+        std::error_code error;
+        const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+        if (type == std::filesystem::file_type::not_found)
+            diagnostics_.warning(codes::missing_image, where,
+                                 "there is no file " + name + ": frames show the outline of the image",
+                                 "paths are relative to the folder of the scene's file");
+        else if (error)
+            refuse("the file " + name + " cannot be read (" + error.message() + ")");
+        else if (type == std::filesystem::file_type::directory)
+            refuse(name + " is a folder, not a file");
+        else if (type != std::filesystem::file_type::regular)
+            refuse(name + " is no regular file");
+        else if (access(path.c_str(), R_OK) != 0)
+            refuse("the file " + name + " cannot be read (" + std::strerror(errno) + ")");
+    }
+
     void lint_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
             diagnostics_.warning(codes::sliver, pointer,
@@ -102,7 +115,7 @@ private:
 
     const Scene& scene_;
     Diagnostics& diagnostics_;
-    std::set<std::filesystem::path> unreadable_;
+    std::set<std::filesystem::path> seen_images_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/sweep/sweeps.hpp"
+#include "tumble/render.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -146,6 +147,17 @@ TEST_CASE("a dry run tells the cost of 10^12 runs from a sample of 20, and write
     CHECK_FALSE(fs::exists(sweeps.folder / "out"));
 }
 
+TEST_CASE("a dry run tells why the first run of its sample has no end state") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json",
+      "parameters": [{"name": "m", "set": "/bodies/ball/shapes/0/circle/radius", "list": [0.5, -1]}]})");
+    const Answer answer = run_tumble({"sweep", sweeps.plan, "--dry-run"});
+    CHECK(answer.code == 0);
+    CHECK_MESSAGE(answer.out.ends_with(": 1 invalid, 1 ok\n  run 1 (invalid): must be greater than 0, got -1\n"),
+                  answer.out);
+    const json estimate = json::parse(run_tumble({"sweep", sweeps.plan, "--dry-run", "--json"}).out);
+    CHECK(estimate["failure"] == "run 1 (invalid): must be greater than 0, got -1");
+}
+
 TEST_CASE("status tells what is missing") {
     const Sweeps sweeps;
     REQUIRE(sweeps.sweep("out", {"--shard", "1/4"}).code == 0);
@@ -176,10 +188,19 @@ TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
     CHECK(count(map.out, "#440154") == 6);
     CHECK(count(map.out, "#fde725") == 1);
     CHECK(count(plot({"--value", "product"}).out, "<circle") == 12);
+    CHECK(count(plot({"--value", "product"}).out, " r=\"4\"") == 12);
     const Answer misspelt = plot({"--value", "produkt"});
     CHECK(misspelt.code == 3);
     CHECK(misspelt.err.find("runs.csv: has no column 'produkt'; did you mean 'product'?\n  its columns: run, ") !=
           std::string::npos);
     CHECK(plot({"--value", "message"}).code == 3);
+    const auto written = [&](const std::string& name) {
+        return run_tumble({"sweep", "plot", sweeps.at("out"), "--x", "a", "--value", "product", "-o", sweeps.at(name)});
+    };
+    REQUIRE(written("plot.png").code == 0);
+    CHECK(tumble::read_png(sweeps.at("plot.png")).width == 590);
+    CHECK(written("plot.jpg").code == 2);
+    CHECK(written("plot.jpg").err.find("--output: expected a file name that ends in .svg or .png") !=
+          std::string::npos);
     CHECK(run_tumble({"sweep", "plot", sweeps.at("gone"), "--x", "a", "--value", "b", "-o", "-"}).code == 4);
 }

@@ -75,6 +75,9 @@ TEST_CASE("a plan that is probably not meant so has a warning at its place") {
     CHECK(warning_of(start + R"("runs": 6, )" + grid) == "");
     check(start + R"("set": {"/expect": []}, "filter": {"claims": true}})", "1:83: /filter/claims",
           "no scene has claims");
+    const std::string drawn = R"("parameters": [{"name": "v", "set": "/bodies/ball/velocity/0", "range": [1, 3]}]})";
+    check(start + drawn, "1:1: ", "one run, with one value of each parameter that is drawn");
+    CHECK(warning_of(start + R"("runs": 2, )" + drawn) == "");
     check(start + R"("runs": 20, "write": {"masks": {"every": 30}}})", "1:69: /write/masks", "fitted to each run");
     check(start + R"("runs": 100000, "shard_runs": 5})", "1:68: /shard_runs", "the folder will have 20000");
 }

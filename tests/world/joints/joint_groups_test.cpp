@@ -132,15 +132,6 @@ TEST_CASE("a mechanism with a motor or a limit is iterated, also if it gets one 
     CHECK_FALSE(check([](RevoluteJointDef& def) { def.motor = AngularMotor{1.0f, 1.0f}; }));
 }
 
-TEST_CASE("a hinge is solved directly if its body has a joint without rows, too") {
-    Bars bars(JointSolver::iterative, 1), direct(JointSolver::direct, 1);
-    for (Bars* one : {&bars, &direct}) {
-        const BodyId far = one->world.create_body({.pose = {{100.0, 0.0}, {}}});
-        one->world.create_joint(FilterJointDef{.body_a = one->bars[0], .body_b = far});
-    }
-    CHECK(moves_alike(bars, direct));
-}
-
 // Joints of bars that hang at rest open by rounding alone if they are solved directly, and by at least g / w^2 = 0.07
 // mm if they are iterated, w = 2 pi 60 rad/s.
 constexpr double kOpen = 5e-5;  // m

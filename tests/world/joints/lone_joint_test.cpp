@@ -55,6 +55,33 @@ TEST_CASE("two balls on a rod, and two bars on a hinge, rotate for a minute with
     }
 }
 
+// A joint that only switches off collision does not act on the bodies: bit for bit as without it.
+TEST_CASE("a hinge or rod whose bodies have a joint without rows moves as the only joint of its bodies") {
+    const auto positions = [](bool is_rod, bool is_held, bool has_filter) {
+        World world({.sleeping = false});
+        const BodyId held = add_static(world, {0.0, 0.0}, make_circle(0.01f));
+        const BodyId free = add_dynamic(world, {0.0, 0.0}, make_box({1.0f, 0.1f}));
+        const BodyId bar = add_dynamic(world, {2.0, 0.0}, make_box({1.0f, 0.1f}));
+        const BodyId far = add_dynamic(world, {100.0, 0.0}, make_circle(1.0f));
+        const BodyId from = is_held ? held : free;
+        if (has_filter) world.create_joint(FilterJointDef{.body_a = bar, .body_b = far});
+        if (is_rod)
+            world.create_joint(DistanceJointDef{.body_a = from, .body_b = bar, .length = 2.0f});
+        else
+            world.create_joint(
+                RevoluteJointDef{.body_a = from, .body_b = bar, .anchor_a = {1, 0}, .anchor_b = {-1, 0}});
+        world.set_velocity(bar, {0.0f, 3.0f}, 5.0f);
+        run(world, 60);
+        return std::vector<DVec2>{world.state(bar).pose.position, world.state(free).pose.position};
+    };
+    for (const bool is_rod : {true, false})
+        for (const bool is_held : {true, false}) {
+            CAPTURE(is_rod);
+            CAPTURE(is_held);
+            CHECK(positions(is_rod, is_held, true) == positions(is_rod, is_held, false));
+        }
+}
+
 // A pendulum that carries four more bars loses energy to the softness of the joints. Without them it must keep it.
 TEST_CASE("a joint is exact from the step in which it becomes the only one of its bodies") {
     World world({.sleeping = false});
