@@ -124,6 +124,7 @@ TEST_CASE("a missing file leaves the outline of its image; one that is damaged, 
     write_png({kLargestFrame + 1, 1, std::vector<std::uint8_t>(std::size_t{4} * (kLargestFrame + 1))},
               pictures.folder / "in/wide.png");
     CHECK_THROWS_AS(frame_of(pictures.scene(R"({"file": "wide.png", "height": 2})")), PictureError);
+    CHECK_THROWS_WITH_AS(read_picture("/dev/zero"), "/dev/zero: is a pipe or a device, no file", PictureError);
     const fs::path outside = pictures.scene(R"({"file": "../outside.png", "height": 2})");
     CHECK_THROWS_WITH_AS(load_scene(outside), doctest::Contains("/bodies/0/images/0/file: leads out of the folder"),
                          SceneError);

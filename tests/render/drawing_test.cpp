@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "support/random_pairs.hpp"
@@ -118,9 +119,25 @@ TEST_CASE("the last panel of a trace says why the loop ended") {
     CHECK_FALSE(changed.says(": all pairs searched"));
 }
 
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A vertex of a diamond on a side of a box, or on one of its corners, without rounding.
+tumble_test::Pair touching_pair(tumble_test::PairSource& source) {
+    const float half_width = static_cast<float>(1 + source.below(8));
+    const double along = 0.25 * (source.below(9) - 4) * double{half_width};
+    return {make_box({2.0f * half_width, 2.0f}),
+            {},
+            make_polygon(std::array<Vec2, 4>{{{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}}}),
+            {{along, 2.0}, {}}};
+}
+
+}  // namespace
+
 TEST_CASE("the last panel of each trace is true to its numbers") {
     tumble_test::PairSource source(71);
-    std::size_t repeated = 0, no_farther = 0, others = 0;
+    std::size_t repeated = 0, no_farther = 0, no_better = 0, inside = 0;
     for (int sample = 0; sample < 3000; ++sample) {
         tumble_test::Pair pair = sample % 2 == 0 ? source.pair() : source.near_pair();
         if (sample % 3 == 0) {  // parallel edges, whose vertices are equally far
@@ -128,25 +145,37 @@ TEST_CASE("the last panel of each trace is true to its numbers") {
             pair.b = make_box({1.0f, static_cast<float>(source.uniform(0.5, 2.0))});
             pair.pose_b.rotation = pair.pose_a.rotation;
         }
+        if (sample % 5 == 0) pair = touching_pair(source);
         const DistanceTrace trace = trace_distance(pair.a, pair.pose_a, pair.b, pair.pose_b);
         if (trace.result.certificate.cores_overlap || trace.steps.empty()) continue;
         const std::string svg = to_svg(draw_trace(pair.a, pair.pose_a, pair.b, pair.pose_b, trace));
         const TraceStep& last = trace.steps.back();
         const double advance = dot(last.direction, last.support_vertex - last.closest) / length(last.direction);
+        const double before = trace.steps.size() > 1 ? trace.steps[trace.steps.size() - 2].lower : -kInfinity;
+        const bool is_searched = trace.result.iterations > trace.steps.size() + 1;
+        CHECK(occurrences(svg, ": all pairs searched") == (is_searched ? 1 : 0));
+        CHECK(occurrences(svg, ": done") == (is_searched ? 0 : 1));
         if (occurrences(svg, ", no farther: ") == 1) {
             ++no_farther;
             CHECK(advance <= 64.0 * tumble_test::rounding_of(pair));
         } else if (occurrences(svg, " again: ") == 1) {
             ++repeated;
-            CHECK((last.support == last.simplex[0] || last.support == last.simplex[1]));
+            CHECK((last.support == last.simplex[0] || (last.count == 2 && last.support == last.simplex[1])));
+        } else if (occurrences(svg, ", no better bound: ") == 1) {
+            ++no_better;
+            CHECK(last.lower <= before);
         } else {
-            ++others;
-            CHECK(occurrences(svg, ", no better bound: ") + occurrences(svg, ", origin inside: ") == 1);
+            ++inside;
+            CHECK(occurrences(svg, ", origin inside: ") == 1);
+            CHECK(last.lower > before);
+            CHECK(trace.result.upper <= 64.0 * tumble_test::rounding_of(pair));
         }
     }
-    MESSAGE(repeated << " repeated, " << no_farther << " no farther, " << others << " others");
+    MESSAGE(repeated << " repeated, " << no_farther << " no farther, " << no_better << " no better bound, " << inside
+                     << " origin inside");
     CHECK(repeated > 300);
     CHECK(no_farther > 3);
+    CHECK(inside > 3);
 }
 
 TEST_CASE("an arrow ends in a head at its tip; without length it draws nothing") {

@@ -81,8 +81,11 @@ TEST_CASE("shipped scenes have no findings, except for what they show on purpose
     }
 }
 
-TEST_CASE("gravity, damping, rotation and rounding are no faults") {
-    const std::string empty = R"({"format": 1, "name": "sound", "materials": {"wood": {}}, "world": {"duration": 2)";
+TEST_CASE("gravity, damping, rotation, rounding, and loads from the side and from above are no faults") {
+    const std::string empty = R"({"format": 1, "name": "sound", "materials":
+        {"wood": {}, "stone": {"density": 120}, "iron": {"density": 200}}, "world": {"duration": 2)";
+    const std::string floor =
+        R"({"name": "floor", "type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [40, 1]}}]}, )";
     const std::string pea = test::ball("pea", "[0, 2]", "0.005", "wood");
     const std::vector<std::string> scenes{
         // A step adds 10 / 30 = 0.33 m/s, and a pea of 1 cm that moves by its thickness has 0.3 m/s.
@@ -99,6 +102,15 @@ TEST_CASE("gravity, damping, rotation and rounding are no faults") {
             {"name": "post", "type": "static", "position": [1.9, 0], "shapes": [{"box": {"size": [0.03, 0.03]}}]},
             {"name": "fan", "angular_velocity": 2383, "shapes": [
               {"box": {"size": [0.03, 0.03], "center": [2, 0]}}, {"box": {"size": [0.03, 0.03], "center": [-2, 0]}}]}]})",
+        // A finger of 0.5 kg presses with 700 N, 140 times its weight, on a crate of 200 kg, whose friction is 1200 N.
+        R"(}, "bodies": [)" + floor + test::box("crate", "[0, 0.5]", "[1, 1]", "iron") + ", " +
+            test::box("finger", "[-1, 0.5]", "[1, 0.5]", "wood", R"(, "gravity_scale": 0)") +
+            R"(], "timeline": [{"at": 0, "body": "finger", "force": [700, 0]}]})",
+        // A cushion of 1 kg carries two safes of 60 kg, and loads a plate of 400 kg below it with 121 times its weight.
+        R"(}, "bodies": [)" + floor + test::box("plate", "[0, 0.25]", "[4, 0.5]", "iron") + ", " +
+            test::box("cushion", "[0, 1]", "[1, 1]", "wood") + ", " +
+            test::box("left safe", "[-0.26, 2]", "[0.5, 1]", "stone") + ", " +
+            test::box("right safe", "[0.26, 2]", "[0.5, 1]", "stone") + "]}",
     };
     for (const std::string& rest : scenes) {
         const std::string text = empty + rest;

@@ -39,6 +39,18 @@ inline const std::string kChainJoints =
        {"type": "revolute", "name": "hinge", "bodies": ["link[0]", "link[1]"], "anchors": [[0, -0.25], [0, 0.25]], "repeat": {"columns": 9}},
        {"type": "revolute", "name": "last", "bodies": ["link[9]", "weight"], "anchors": [[0, -0.25], [0, 0.5]]}])";
 
+// Events that turn a body around eight times in 30 steps, the fewest that jitter has; the first is in the first step.
+inline std::string shaking(const std::string& body) {
+    std::string events;
+    double speed = 0.15;
+    for (const int step : {0, 4, 8, 12, 15, 19, 23, 27}) {
+        events += std::string(events.empty() ? "" : ", ") + R"({"every": 0.5, "from": )" + std::to_string(step / 60.0) +
+                  R"(, "body": ")" + body + R"(", "velocity": [)" + std::to_string(speed) + ", 0]}";
+        speed = -speed;
+    }
+    return R"("timeline": [)" + events + "]";
+}
+
 inline std::vector<UnhealthyScene> unhealthy_scenes() {
     const std::string crate = box("crate", "[0, 0.5]", "[1, 1]", "wood");
     const std::string rows = R"(, "repeat": {"grid": {"rows": 3, "spacing": [0, 1]}})";
@@ -77,7 +89,11 @@ inline std::vector<UnhealthyScene> unhealthy_scenes() {
             {"every": 0.0666666667, "from": 0.0333333333, "body": "tray", "velocity": [-0.22, 0]}])",
          box("tray", "[1, 0.4]", "[5, 0.4]", "grip", R"(, "type": "kinematic")") + ", " +
              box("pot", "[1, 1]", "[0.8, 0.8]", "grip")},
-        {"a chain of too few steps under a large gravity", "jitter", "link[5]",
+        {"a slider that shakes eight times in half a second", "jitter", "slider",
+         R"("joints": [{"type": "prismatic", "bodies": ["hook", "slider"], "anchors": [[0, 0], [0, 0]], "axis": [1, 0]}], )" +
+             shaking("slider"),
+         box("slider", "[0, 10]", "[0.8, 0.8]", "wood", floating)},
+        {"a chain of too few steps under a large gravity", "jitter", "link[2]",
          R"("joints": [{"type": "revolute", "name": "top", "bodies": ["post", "link[0]"], "anchors": [[0, 0], [-0.25, 0]]},
             {"type": "revolute", "name": "hinge", "bodies": ["link[0]", "link[1]"], "anchors": [[0.25, 0], [-0.25, 0]], "repeat": {"columns": 7}},
             {"type": "revolute", "name": "end", "bodies": ["link[7]", "floor"], "anchors": [[0.25, 0], [3, 0.5]]}])",

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "process.hpp"
+#include "tools/gallery/gallery.hpp"
+#include "tools/run/video_output.hpp"
 #include "video_probe.hpp"
 
 using nlohmann::json;
@@ -15,6 +17,9 @@ using tumble::test::Answer;
 using tumble::test::Folder;
 using tumble::test::read_text;
 using tumble::test::run_tumble;
+using tumble::tools::affordable_threads;
+using tumble::tools::GalleryOptions;
+using tumble::tools::gifs_at_a_time;
 
 namespace {
 
@@ -111,6 +116,22 @@ TEST_CASE("the memory of all loops that are made at a time is limited") {
     CHECK(refused.err.find("lower --jobs") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(none));
     CHECK(gallery(1, "11").code == 0);  // one at a time
+}
+
+TEST_CASE("without --jobs, as many loops are made at a time as the memory allows") {
+    CHECK(gifs_at_a_time(0.37e9, 256) == 10);
+    CHECK(gifs_at_a_time(0.37e9, 4) == 4);
+    CHECK(gifs_at_a_time(1e9, 4) == 4);
+    CHECK(gifs_at_a_time(1.01e9, 4) == 3);
+    CHECK(gifs_at_a_time(10e9, 4) == 1);  // refused by require_memory()
+    CHECK(gifs_at_a_time(0.0, 4) == 4);
+    // A loop of 20 s has 401 frames of 640 x 360 pixels, of four bytes each.
+    GalleryOptions options{.check = {.threads = 64}, .size = {640, 360}};
+    CHECK(affordable_threads(options) == 64);
+    options.loop = 20.0;
+    CHECK(affordable_threads(options) == 10);
+    options.check.threads = 3;
+    CHECK(affordable_threads(options) == 3);
 }
 
 TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -114,6 +115,22 @@ TEST_CASE("a plot without values, or with a single one, has axes") {
             CHECK(count(svg, "nan") + count(svg, "inf") == 0);
             CHECK(count(svg, "class=\"grid\"") >= 2);
         }
+}
+
+TEST_CASE("the dashes of a drawn line continue behind a part that is far outside the axes") {
+    Plot plot = points_of({{0.0, 0.5}, {0.4, 0.5}, {0.5, 1e300}, {0.6, 0.5}, {1.0, 0.5}});
+    plot.series.front().mark = Mark::dashed;
+    plot.y.range = PlotRange{0.0, 1.0};
+    double longest = 0.0, behind = 0.0;
+    const Drawing drawing = to_drawing({&plot, 1}, {});
+    for (const DrawnElement& element : drawing.elements) {
+        const DrawnLine* const line = std::get_if<DrawnLine>(&element);
+        if (line == nullptr || line->width != 1.8) continue;
+        longest = std::max(longest, length(line->to - line->from));
+        if (line->from.x > 0.7 * drawing.width) behind += length(line->to - line->from);
+    }
+    CHECK(longest < 7.0);  // a dash has 6 px
+    CHECK(behind > 40.0);
 }
 
 TEST_CASE("a plot has a title for screen readers, a legend, classes for colours, and escaped text") {

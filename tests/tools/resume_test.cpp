@@ -207,6 +207,11 @@ TEST_CASE("--resume refuses a scene whose frames look different") {
     fs::remove(run.folder / "crate.png");
     CHECK(run.resume({}).code == 3);
     tumble::write_png({1, 1, {255, 0, 0, 255}}, run.folder / "crate.png");
+    fs::resize_file(run.folder / "crate.png", (std::uintmax_t{1} << 29) + 1);
+    const Answer large = run.resume({});
+    CHECK(large.code == 3);
+    CHECK_MESSAGE(large.err.find("crate.png: the picture is too large") != std::string::npos, large.err);
+    tumble::write_png({1, 1, {255, 0, 0, 255}}, run.folder / "crate.png");
     CHECK(run.resume({}).code == 0);
 }
 
@@ -309,6 +314,20 @@ TEST_CASE("--resume refuses a duration that ends before the checkpoint, and chan
     CHECK(result_files(runs.parted.path()) == before);
     CHECK(tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()).code == 0);
     runs.check_equal();
+}
+
+TEST_CASE("--resume says that the duration of the scene ends before the checkpoint, if there is no --duration") {
+    const Interrupted run;
+    const std::string shorter = "/world/duration=0.2";
+    const Answer scene = run.resume({shorter});
+    CHECK(scene.code == 3);
+    CHECK_MESSAGE(
+        scene.err.find("checkpoint: the \"duration\" of the scene ends before the checkpoint, which is at ") !=
+            std::string::npos,
+        scene.err);
+    CHECK(scene.err.find("--duration: ") == std::string::npos);
+    CHECK(tumble::test::run(run_of(run.folder, {"--resume", "--set", shorter, "--duration", "4"}), run.folder.path())
+              .code == 0);
 }
 
 TEST_CASE("an output file with the name of the checkpoint, of a frame or of another output is refused") {

@@ -30,6 +30,7 @@ struct GalleryArguments {
     GalleryOptions gallery{.check = {.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))}};
     std::filesystem::path folder;
     int columns = 4;
+    bool has_jobs = false;  // --jobs was given
     bool force = false;
 };
 
@@ -71,6 +72,7 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     for (const std::filesystem::path& file : {page, sheet}) refuse_to_overwrite(file, options.force);
     GalleryOptions settings = options.gallery;
     settings.loops = options.folder / kLoopFolder;
+    if (!options.has_jobs) settings.check.threads = affordable_threads(settings);
     const std::vector<std::string> scenes = without_schemas(options.files);
     if (settings.loop) {
         require_loops(settings, scenes.size());
@@ -125,6 +127,7 @@ void add_gallery(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->check(whole_number_from_to(1, 100));
     gallery.add_option("-j,--jobs", options->gallery.check.threads, "Scenes to simulate and draw in parallel")
+        ->each([options](const std::string&) { options->has_jobs = true; })
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
     add_size_option(gallery, options->gallery.size, "480x270");

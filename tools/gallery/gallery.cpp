@@ -31,6 +31,10 @@ VideoSettings loop_settings(const GalleryOptions& options) {
             .frames_per_second = kLoopRate};
 }
 
+std::uint64_t loop_frames(const GalleryOptions& options) {
+    return FrameSchedule{*options.loop, kLoopRate, kLoopRate}.frame_count();
+}
+
 // Draws the frames of a loop, which begins at that step.
 void write_loop(const Scene& scene, std::uint64_t first, const GalleryOptions& options,
                 const std::filesystem::path& file) {
@@ -70,12 +74,16 @@ void draw(GalleryEntry& entry, std::size_t number, const GalleryOptions& options
 
 }  // namespace
 
+int affordable_threads(const GalleryOptions& options) {
+    const int threads = options.check.threads;
+    return options.loop ? gifs_at_a_time(video_bytes(loop_settings(options), loop_frames(options)), threads) : threads;
+}
+
 void require_loops(const GalleryOptions& options, std::size_t scenes) {
     require_encoder();
-    const FrameSchedule schedule{*options.loop, kLoopRate, kLoopRate};
     const std::size_t at_a_time = std::min(scenes, static_cast<std::size_t>(options.check.threads));
     require_memory(
-        loop_settings(options), schedule.frame_count(), at_a_time, "--loop",
+        loop_settings(options), loop_frames(options), at_a_time, "--loop",
         at_a_time == 1 ? "lower --size, or shorten the loops" : "lower --jobs or --size, or shorten the loops");
 }
 

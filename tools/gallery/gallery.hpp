@@ -34,6 +34,9 @@ struct GalleryEntry {
     std::string picture_error;   // why there is none, if the scene itself has no error
 };
 
+// The threads of the options, or fewer if the memory for loops allows fewer at a time.
+int affordable_threads(const GalleryOptions& options);
+
 // Throws RenderError without an encoder, and CLI::ValidationError if the loops of so many scenes, as many at a time as
 // there are threads, would need too much memory. To be called once before make_gallery(), if there are loops.
 void require_loops(const GalleryOptions& options, std::size_t scenes);

@@ -107,7 +107,7 @@ private:
         rectangle(drawing_, area().lower, area().upper, kTransparent, 1.0, color(kHeadColor));
     }
 
-    // `begun` is the length of the line before this part of it.
+    // `begun` is the length of the shown line before this part of it, px.
     void stroke(const Segment& part, Mark mark, Color ink, double begun) {
         if (mark == Mark::dashed)
             drawing_.dashed_line(part.from, part.to, kLineWidth, ink, begun);
@@ -135,9 +135,10 @@ private:
             double begun = 0.0;
             for (std::size_t i = 1; i < line.size(); ++i) {
                 const DVec2 from = at(line[i - 1].x, line[i - 1].y), to = at(line[i].x, line[i].y);
-                if (const auto shown = clipped(from, to, box))
-                    stroke(*shown, series.mark, ink, begun + length(shown->from - from));
-                begun += length(to - from);
+                const auto shown = clipped(from, to, box);
+                if (!shown) continue;
+                stroke(*shown, series.mark, ink, begun);
+                begun += length(shown->to - shown->from);
             }
         }
     }

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "tools/output/json_writer.hpp"
-#include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
@@ -23,14 +22,18 @@ namespace {
 
 std::uint64_t hash_of(std::string_view text) { return XXH64(text.data(), text.size(), 0); }
 
-// The hashes of image files, each of which is read once.
+std::uint64_t hash_of(const Image& image) {
+    return XXH64(image.rgba.data(), image.rgba.size(), static_cast<std::uint64_t>(image.width));
+}
+
+// The hashes of the pixels of image files, each of which is read once.
 class FileHashes {
 public:
     // "missing" for a file that does not exist: frames show an outline instead.
     const std::string& of(const fs::path& file) {
         const auto [entry, is_new] = known_.try_emplace(file, "missing");
         std::error_code ignored;
-        if (is_new && fs::exists(file, ignored)) entry->second = to_hex(hash_of(read_file(file)));
+        if (is_new && fs::exists(file, ignored)) entry->second = to_hex(hash_of(read_picture(file)));
         return entry->second;
     }
 

@@ -9,8 +9,8 @@
 namespace tumble::tools {
 
 // xxHash64 of all that the frames of a scene depend on besides the options of the run: the scene without its duration,
-// claims, descriptions and custom data; the contents of its image files; and the camera at the start, which a fit to
-// the bodies' motion may have chosen. Throws FileError for an image that is there and cannot be read.
+// claims, descriptions and custom data; the pixels of its image files; and the camera at the start, which a fit to
+// the bodies' motion may have chosen. Throws as read_picture() for an image that is there.
 std::uint64_t picture_hash(const Scene& scene, const Camera& start);
 
 }  // namespace tumble::tools

@@ -16,6 +16,7 @@
 #include "tools/cli/output_path.hpp"
 #include "tools/health/lost_bodies.hpp"
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/input_error.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/pictures/picture_hash.hpp"
 #include "tools/run/checkpoint.hpp"
@@ -122,11 +123,14 @@ void require_different_files(const RunOptions& options) {
 }
 
 // The run can continue up to the end of its schedule only.
-void require_time_left(const SceneRun& run, const FrameSchedule& schedule) {
+void require_time_left(const SceneRun& run, const FrameSchedule& schedule, const RunOptions& options) {
     if (run.world().step_count() <= schedule.step_count()) return;
     std::string text = "ends before the checkpoint, which is at ";
     append_number(text, run.time());
-    throw CLI::ValidationError("--duration", text + " s; give at least that");
+    text += " s; give at least that";
+    if (options.duration) throw CLI::ValidationError("--duration", text);
+    throw InputError(checkpoint_file(options.folder).string() + ": the \"duration\" of the scene " + text +
+                     ", or a --duration");
 }
 
 // Standard output cannot be read again.
@@ -164,7 +168,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
         resumed_ = read_checkpoint(options.folder, settings_of(options));
         loaded = load_run(scene, *resumed_, options.folder);
         require_pictures(*resumed_, pictures_, options.folder);
-        require_time_left(*loaded, schedule_);
+        require_time_left(*loaded, schedule_, options);
     }
     for (const std::filesystem::path* const file : named_files(options))
         if (!file->empty()) refuse_to_overwrite(*file, force);  // before any file is created

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -39,11 +40,20 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
     return {.format = format, .width = size.width, .height = size.height, .frames_per_second = frames_per_second};
 }
 
+double video_bytes(const VideoSettings& settings, std::uint64_t frames) {
+    if (settings.format != VideoFormat::gif) return 0.0;
+    return 4.0 * settings.width * settings.height * static_cast<double>(frames);
+}
+
+int gifs_at_a_time(double bytes, int wanted) {
+    if (bytes * wanted <= kMostGifBytes) return wanted;
+    return std::max(1, static_cast<int>(kMostGifBytes / bytes));
+}
+
 void require_memory(const VideoSettings& settings, std::uint64_t frames, std::size_t count, const std::string& option,
                     const std::string& remedy) {
-    const double pixels = 1.0 * settings.width * settings.height * static_cast<double>(frames);
-    const double bytes = 4.0 * pixels * static_cast<double>(count);
-    if (settings.format != VideoFormat::gif || bytes <= kMostGifBytes) return;
+    const double bytes = video_bytes(settings, frames) * static_cast<double>(count);
+    if (bytes <= kMostGifBytes) return;
     const std::string subject = count == 1 ? "a GIF of this length and size needs "
                                            : std::to_string(count) + " GIFs of this length and size at a time need ";
     throw CLI::ValidationError(

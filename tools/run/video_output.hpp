@@ -18,6 +18,12 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
 // ffmpeg keeps all frames of a GIF until it knows the colours of the last one, at four bytes a pixel.
 inline constexpr double kMostGifBytes = 4e9;
 
+// The memory that a video of so many frames needs while it is written; 0 unless it is a GIF.
+double video_bytes(const VideoSettings& settings, std::uint64_t frames);
+
+// How many GIFs of so many bytes kMostGifBytes allows at a time: at least one, at most `wanted`.
+int gifs_at_a_time(double bytes, int wanted);
+
 // Throws CLI::ValidationError if GIFs of so many frames, `count` of them written at a time, would need more memory than
 // kMostGifBytes. `option` and `remedy` are named in its message.
 void require_memory(const VideoSettings& settings, std::uint64_t frames, std::size_t count = 1,

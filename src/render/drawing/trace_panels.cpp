@@ -97,7 +97,8 @@ std::string end_caption(const DistanceTrace& trace) {
     if (std::find(last.simplex.begin(), simplex_end, last.support) != simplex_end) return " again" + then;
     if (is_no_farther(last, result)) return ", no farther" + then;
     const bool is_raised = trace.steps.size() < 2 || last.lower > trace.steps[trace.steps.size() - 2].lower;
-    // A support that is farther, and raises the bound, ends the loop only if rounding puts the origin into the simplex.
+    // A support that is farther, and raises the bound, ends the loop only if the origin then lies in the simplex: the
+    // cores touch, or overlap by no more than rounding.
     return (is_raised ? ", origin inside" : ", no better bound") + then;
 }
 

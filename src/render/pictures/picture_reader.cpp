@@ -1,5 +1,7 @@
 // Picture files from outside, in the formats that picture_formats.hpp decodes.
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "render/pictures/picture_formats.hpp"
 #include "tumble/file.hpp"
@@ -11,6 +13,8 @@ namespace {
 
 std::string read_picture_bytes(const std::filesystem::path& file) {
     constexpr std::size_t kMaxBytes = std::size_t{1} << 29;  // more than the pixels of the largest frame
+    std::error_code ignored;
+    if (std::filesystem::is_other(file, ignored)) throw PictureError("is a pipe or a device, no file");
     std::string bytes = read_file(file, kMaxBytes);
     if (bytes.size() > kMaxBytes) throw PictureError("the picture is too large");
     return bytes;

@@ -21,8 +21,8 @@ struct JitterWindow {
     std::uint64_t reversals = 0;
     double fastest = 0.0;    // m/s, of a reversal
     DVec2 lower, upper;      // of the centre of mass
-    DVec2 moving;            // the last velocity, m/s, and
-    double turning = 0.0;    // the last rotation, m/s at its farthest point, above the speed of rest
+    DVec2 moving;            // the last velocity above the speed of rest, m/s
+    double turning = 0.0;    // the same of the rotation, at the farthest point, m/s
     std::uint64_t held = 0;  // steps in which it touched something or was joined
 };
 
@@ -42,7 +42,7 @@ public:
             if (windows_[i].steps < view.steps_to_sleep()) continue;
             shaken_[i] = shakes(body, windows_[i]) ? shaken_[i] + 1 : 0;
             if (shaken_[i] >= kPatientWindows) note(view, i);
-            windows_[i] = {};
+            windows_[i] = window_after(windows_[i]);
         }
     }
 
@@ -51,6 +51,14 @@ public:
     }
 
 private:
+    // The velocity may reverse in its first step.
+    static JitterWindow window_after(const JitterWindow& before) {
+        JitterWindow window;
+        window.moving = before.moving;
+        window.turning = before.turning;
+        return window;
+    }
+
     static void observe_body(const HealthView& view, const SeenBody& body, JitterWindow& window) {
         if (window.steps++ == 0) window.lower = window.upper = body.center;
         window.lower = {std::min(window.lower.x, body.center.x), std::min(window.lower.y, body.center.y)};

@@ -1,4 +1,5 @@
-// Heavy bodies that rest on light ones, which their contact squeezes.
+// Heavy bodies that rest on light ones, which their contact squeezes. Only what holds a heavy body up against gravity
+// counts, not what presses it from the side or from above.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -35,7 +36,7 @@ public:
 private:
     using Pair = std::pair<std::size_t, std::size_t>;  // the heavy body, the light one
     struct Load {
-        double impulse = 0.0;  // N s, in the step
+        double impulse = 0.0;  // N s against gravity, in the step
         DVec2 point;
         std::uint64_t steps = 1;
     };
@@ -45,8 +46,12 @@ private:
         const SeenBody &seen_a = view.bodies()[a], &seen_b = view.bodies()[b];
         if (!seen_a.is_dynamic || !seen_b.is_dynamic || !(view.gravity() > 0.0)) return;
         if (!(mass_ratio(view.world(), seen_a.id, seen_b.id) > kLargeMassRatio)) return;
-        Load& load = loads[seen_a.mass > seen_b.mass ? Pair{a, b} : Pair{b, a}];
-        load.impulse += double{contact.normal_impulse};
+        const bool heavy_is_a = seen_a.mass > seen_b.mass;
+        const double down = dot(DVec2(contact.normal), DVec2(view.world().def().gravity)) / view.gravity();
+        const double lift = std::max(0.0, heavy_is_a ? down : -down);  // the part of the impulse that carries
+        if (lift == 0.0) return;
+        Load& load = loads[heavy_is_a ? Pair{a, b} : Pair{b, a}];
+        load.impulse += double{contact.normal_impulse} * lift;
         load.point = contact.point;
     }
 
