@@ -94,7 +94,8 @@ Proposal proposal_of(const std::string& hint) {
 // A hint about a part within a function about copies proposes a part with their common name: crate.x in max(crate).
 bool is_proposed_well(const Proposal& proposal) {
     return std::ranges::all_of(proposal.expressions, [&](const std::string& text) {
-        return parses(text) || parses("max(" + text + ")") || parses("any(" + text + ")");
+        return parses(text) || parses("max(" + text + ")") || parses("sum(" + text + ")") ||
+               parses("any(" + text + ")");
     });
 }
 
