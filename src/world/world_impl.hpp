@@ -20,7 +20,7 @@ struct World::Impl {
     StepCounters counters;
     std::uint64_t step_count = 0;
     std::uint32_t diverged_body = kNoBody;  // index of the first body that is not finite
-    bool is_restored = false;               // the state, or a later one than it, comes from a snapshot or another world
+    bool is_restored = false;               // load() or assign() has replaced the state at some time
 
     void require(BodyId id) const { require_live(simulation.bodies.ids, id, "body"); }
     void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }

@@ -348,7 +348,7 @@ TEST_CASE("hints translate the habits of other engines") {
     CHECK(hint_of(R"({"format": 1, "timeline": [{"when": "time > 1", "then": {"stop": true}, "stop": true}]})") ==
           R"~(the action stands beside: {"when": "touching(a, b)", "stop": true})~");
     CHECK(hint_of(R"({"format": 1, "expect": [{"that": "time < 1", "when": "never"}]})") ==
-          R"(this format calls it 'always', of the opposite: "that": "not a.x > 1")");
+          R"(negate the condition: "that": "not a.x > 1", "when": "always")");
     CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "motor_speed": 3)"))
               .starts_with(R"("motor": {"speed": 90)"));
     CHECK(hint_of(test::with_joint(R"("type": "gear", "bodies": ["a", "b"], "ratio": 2)")) ==

@@ -94,7 +94,8 @@ Proposal proposal_of(const std::string& hint) {
 // A hint about a part within a function about copies proposes a part with their common name: crate.x in max(crate).
 bool is_proposed_well(const Proposal& proposal) {
     return std::ranges::all_of(proposal.expressions, [&](const std::string& text) {
-        return parses(text) || parses("max(" + text + ")") || parses("any(" + text + ")");
+        return parses(text) || parses("max(" + text + ")") || parses("sum(" + text + ")") ||
+               parses("any(" + text + ")");
     });
 }
 
@@ -104,20 +105,25 @@ public:
     explicit Mixer(std::uint32_t seed) : random_(seed) {}
 
     std::string expression(int depth) {
-        const auto inner = [&] { return expression(depth - 1); };
         if (depth == 0)
             return one_of({"1", "true", "a.x", "a.awake", "crate.y", "crate.awake", "'it''s'.x", "hinge.angle",
                            "hinge.exists", "rod.length", "'my crate'.speed", "crate[1].x", "time", "crate", "hinge",
                            "drop.y", "touching(a, crate)", "distance(crate, b)"});
+        // One draw a statement: the operands of + have no order.
+        const std::string a = expression(depth - 1);
+        const std::string b = expression(depth - 1);
+        const std::string c = expression(depth - 1);
+        const std::string first = one_of({"a", "crate", "'it''s'"});
+        const std::string second = one_of({"b", "crate"});
         switch (random_() % 9) {
-            case 0: return "(" + inner() + ")";
-            case 1: return one_of({"-", "not "}) + inner();
-            case 2: return inner() + one_of({"^2", "^-1", "^0.5"});
-            case 3: return "if(" + inner() + ", " + inner() + ", " + inner() + ")";
-            case 4: return one_of({"max(", "min(", "hypot("}) + inner() + ", " + inner() + ")";
-            case 5: return one_of({"max(", "all(", "any(", "sum(", "count(", "sqrt("}) + inner() + ")";
-            case 6: return one_of({"a", "crate", "'it''s'"}) + one_of({" hits ", " touches "}) + one_of({"b", "crate"});
-            default: return inner() + one_of({" + ", " * ", " < ", " == ", " and ", " or "}) + inner();
+            case 0: return "(" + a + ")";
+            case 1: return one_of({"-", "not "}) + a;
+            case 2: return a + one_of({"^2", "^-1", "^0.5"});
+            case 3: return "if(" + a + ", " + b + ", " + c + ")";
+            case 4: return one_of({"max(", "min(", "hypot("}) + a + ", " + b + ")";
+            case 5: return one_of({"max(", "all(", "any(", "sum(", "count(", "sqrt("}) + a + ")";
+            case 6: return first + one_of({" hits ", " touches "}) + second;
+            default: return a + one_of({" + ", " * ", " < ", " == ", " and ", " or "}) + b;
         }
     }
 
@@ -148,7 +154,15 @@ TEST_CASE("each expression that a hint proposes parses") {
         {"min(distance('it''s', a), 2) > 1", {"min(distance('it''s', a))"}},
         {"'it''s'.x > 1", {"'it''s[0]'.x", "all('it''s'.x > 0)", "any('it''s'.x > 0)", "max('it''s'.x)"}},
         {"crate.awake", {"crate[0].awake", "all(crate.awake)", "any(crate.awake)", "count(crate.awake)"}},
-        {"sum((a.x + 1) * (2))", {"(a.x + 1) * (2)"}},
+        {"sum((a.x + 1) * (2))", {"((a.x + 1) * (2))"}},
+        {"not all(a.x > 1 or a.y > 1)", {"(a.x > 1 or a.y > 1)"}},
+        {"2 * sum(a.x + a.y) > 1", {"(a.x + a.y)"}},
+        {"sum(-a.x) ^ 2 > 1", {"(-a.x)"}},
+        {"sum(a.x ^ 2) ^ 2 > 1", {"(a.x ^ 2)"}},
+        {"all(not a.awake) == true", {"(not a.awake)"}},
+        {"2 * sum(a.x) > 1", {"a.x"}},
+        {"a.awake == a.x", {"(a.x > 0)"}},
+        {"a.awake != a.x + 1", {"(a.x + 1 > 0)"}},
         {"count((a.x > 1) or (a.y > 1)) > 0", {"if((a.x > 1) or (a.y > 1), 1, 0)"}},
         {"a > 1", {"a.x"}},
         {"crate > 1", {"crate[0].x"}},

@@ -9,6 +9,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "tools/output/input_error.hpp"
+#include "tumble/file.hpp"
 
 using namespace tumble;
 using tools::cells_of, tools::CsvTable, tools::InputError;
@@ -40,6 +41,13 @@ TEST_CASE("the fields of a line are those of RFC 4180") {
     CHECK(cells_of(R"(1,"a, b","say ""no""", x )") == Cells{"1", "a, b", "say \"no\"", " x "});
     CHECK(cells_of(R"("","""")") == Cells{"", "\""});
     CHECK(cells_of("1,\"open") == std::nullopt);
+}
+
+TEST_CASE("a table that cannot be read is no table without lines") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "t.csv";
+    std::filesystem::create_directory(file);  // it opens, and reading it fails
+    CHECK_THROWS_WITH_AS(CsvTable{file}, doctest::Contains("t.csv: cannot be read"), FileError);
 }
 
 TEST_CASE("a table is read line by line, whatever its line ends are") {

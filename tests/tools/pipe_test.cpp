@@ -101,10 +101,16 @@ TEST_CASE("an option that names a folder refuses standard output, and every outp
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
     for (const std::string name : {"-", "/dev/stdout", ""})
-        for (const auto& command : std::vector<std::vector<std::string>>{{"run", scene, "-o"},
-                                                                         {"demo", "pendulum", "-o"},
-                                                                         {"gallery", scene, "-o"},
-                                                                         {"check", scene, "--shots"}}) {
+        for (const auto& command :
+             std::vector<std::vector<std::string>>{{"run", scene, "-o"},
+                                                   {"demo", "pendulum", "-o"},
+                                                   {"gallery", scene, "-o"},
+                                                   {"check", scene, "--shots"},
+                                                   {"compare", scene, scene, "--frames"},
+                                                   {"init"},
+                                                   {"sweep", "p.json", "-o"},
+                                                   {"sweep", "submit", "p.json", "-o"},
+                                                   {"sweep", "export", "s", "--id", "a-v0", "-o"}}) {
             std::vector<std::string> arguments = command;
             arguments.push_back(name);
             CAPTURE(arguments);
@@ -112,9 +118,21 @@ TEST_CASE("an option that names a folder refuses standard output, and every outp
             CHECK(answer.code == 2);
             CHECK(answer.err.find(name.empty() ? "needs the name of a folder" : "names a folder") != std::string::npos);
         }
-    const Answer unnamed = run_tumble({"check", scene, "--junit", ""});  // as from a variable that is not set
-    CHECK(unnamed.code == 2);
-    CHECK(unnamed.err.find("--junit: needs the name of a file, got an empty one") != std::string::npos);
+    for (const auto& command : std::vector<std::vector<std::string>>{{"check", scene, "--junit"},
+                                                                     {"run", scene, "--trajectory"},
+                                                                     {"compare", scene, scene, "--video"},
+                                                                     {"shot", scene, "-o"},
+                                                                     {"shrink", scene, "-o"},
+                                                                     {"watch", scene, "-o"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back();  // as from a variable that is not set
+        CAPTURE(arguments);
+        const Answer unnamed = feed("", arguments, folder.path());
+        CHECK(unnamed.code == 2);
+        CHECK(unnamed.err.find(command.back() == "-o" ? "--output: needs" : command.back() + ": needs") !=
+              std::string::npos);
+        CHECK(unnamed.err.find("needs the name of a file, got an empty one") != std::string::npos);
+    }
 }
 
 TEST_CASE("an option that names a page refuses the names of other formats") {
@@ -126,6 +144,8 @@ TEST_CASE("an option that names a page refuses the names of other formats") {
         CHECK(answer.err.find(option + ": pages are HTML: choose a name that ends in .html, not page.png") !=
               std::string::npos);
     }
+    CHECK(feed("", {"run", scene, "--no-frames", "--replay", "page.PNG"}, folder.path()).code == 2);
+    CHECK(feed("", {"run", scene, "--no-frames", "--hashes", "hashes.JSON"}, folder.path()).code == 2);
     CHECK(feed("", {"run", scene, "--no-frames", "--duration", "0.1", "--replay", "page"}, folder.path()).code == 0);
 }
 

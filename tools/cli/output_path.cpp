@@ -12,27 +12,49 @@ namespace tumble::tools {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Refuses the extensions of other formats, in letters of either case: "ADVICE, not NAME" and `more`.
+CLI::Validator name_without(const std::set<std::string>& extensions, const std::string& advice,
+                            const std::string& more) {
+    const auto check = [=](const std::string& name) {
+        const std::string extension = CLI::detail::to_lower(fs::path(name).extension().string());
+        return extensions.contains(extension) ? advice + ", not " + name + more : "";
+    };
+    return {check, ""};
+}
+
+}  // namespace
+
 bool is_standard_output(const fs::path& file) { return file == "/dev/stdout"; }
+
+CLI::Validator file_name() {
+    const auto check = [](const std::string& file) {
+        return file.empty() ? "needs the name of a file, got an empty one" : "";
+    };
+    return {check, ""};
+}
 
 CLI::Option& allow_standard_output(CLI::Option& option) {
     option.transform([](const std::string& file) {  // the name of the option precedes the message
-        if (file.empty()) throw CLI::ValidationError("needs the name of a file, got an empty one");
         if (file != "-" && !is_standard_output(file)) return file;
         if (!give_output_to_file()) throw CLI::ValidationError("names standard output, which another option names too");
         return std::string("/dev/stdout");
     });
+    option.check(file_name());
     return option;
 }
 
 CLI::Validator page_name() {
-    const auto check = [](const std::string& text) {
-        static const std::set<std::string> kOtherFormats{".png",  ".jpg",  ".jpeg", ".gif",  ".svg", ".pdf", ".mp4",
-                                                         ".webm", ".apng", ".csv",  ".json", ".xml", ".txt", ".md"};
-        return kOtherFormats.contains(fs::path(text).extension().string())
-                   ? "pages are HTML: choose a name that ends in .html, not " + text
-                   : "";
-    };
-    return {check, ""};
+    return name_without({".png", ".jpg", ".jpeg", ".gif", ".svg", ".pdf", ".mp4", ".webm", ".apng", ".csv", ".json",
+                         ".xml", ".txt", ".md"},
+                        "pages are HTML: choose a name that ends in .html", "");
+}
+
+CLI::Validator table_name() {
+    return name_without({".h5", ".hdf5", ".npy", ".npz", ".json", ".jsonl", ".parquet", ".xlsx"},
+                        "tables are CSV: choose a name that ends in .csv",
+                        "; a sweep writes trajectories as HDF5 and npy");
 }
 
 CLI::Validator folder_name() {

@@ -18,11 +18,16 @@ namespace tumble::tools {
 bool is_standard_output(const std::filesystem::path& file);
 
 // Lets "-" stand for standard output in an option that names a file to write. The texts of the command then go to
-// standard error. Two files on standard output are wrong arguments, and so is an empty name.
+// standard error. Two files on standard output are wrong arguments. Calls file_name().
 CLI::Option& allow_standard_output(CLI::Option& option);
 
-// For an option that names an HTML page: a name that promises another format is refused. Other names are not.
+// For an option that names an HTML page or a CSV table: a name that promises another format is refused. Other names,
+// as of temporary files, are not.
 CLI::Validator page_name();
+CLI::Validator table_name();
+
+// For an option that names a file to write: an empty name is a wrong argument.
+CLI::Validator file_name();
 
 // For an option that names a folder: an empty name and standard output are wrong arguments.
 CLI::Validator folder_name();

@@ -178,7 +178,8 @@ void add_compare(CLI::App& app, Command& command) {
     compare_app
         .add_option("--frames", options->frames,
                     "Draw frames of both into this folder, with plots of their distance and energies")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(folder_name());
     allow_standard_output(
         *compare_app.add_option("--video", options->video, "Write these frames as a video: .mp4, .webm, .gif or .apng")
              ->type_name("F"));

@@ -248,6 +248,7 @@ void add_shrink(CLI::App& app, Command& command) {
         .add_option("-o,--output", options->output,
                     "Scene file to write, *.json, or a folder; the picture and the log are beside it")
         ->type_name("FILE|DIR")
+        ->check(file_name())
         ->required();
     shrink_command.add_option("-j,--jobs", options->jobs, "Runs at a time")
         ->capture_default_str()

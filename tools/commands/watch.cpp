@@ -137,7 +137,8 @@ void add_watch(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->check(number_from_to(0.0, kMaxDuration));
     app_watch.add_option("-o,--output", options->picture, "Picture to replace each time; default out/<scene file>.png")
-        ->type_name("F.png");
+        ->type_name("F.png")
+        ->check(file_name());
     add_size_option(app_watch, options->size);
     add_overlay_option(app_watch, options->overlay);
     add_renderer_option(app_watch, options->renderer);

@@ -6,6 +6,7 @@
 
 #include "tools/output/csv_library.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tumble/file.hpp"
 #include "tumble/suggest.hpp"
 
 namespace tumble::tools {
@@ -38,6 +39,7 @@ CsvTable::~CsvTable() = default;
 std::optional<std::vector<std::string>> CsvTable::read_line() {
     const char* const line = with_input_errors(
         name_, [&] { return lines_->get_file_line(); }, [&] { return lines_->next_line(); });
+    if (line == nullptr && stream_->bad()) throw FileError(name_, "cannot be read");
     if (line == nullptr) return std::nullopt;
     std::optional<std::vector<std::string>> cells = cells_of(line);
     if (!cells) fail("a quote is not closed");

@@ -1,4 +1,4 @@
-// A CSV table of any columns, which its first line names, read line by line. Lines may end as on any system.
+// A CSV table of any columns, which its first line names, read line by line. Lines end with LF or CR LF.
 #pragma once
 
 #include <filesystem>

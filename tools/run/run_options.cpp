@@ -92,24 +92,9 @@ void set_parts(Overlay& overlay, const std::string& option, std::span<const Over
     }
 }
 
-// A table is CSV: a name that promises another format is refused. Other names, as of temporary files, are not.
-CLI::Validator is_table_name() {
-    const auto check = [](const std::string& text) {
-        constexpr std::string_view kOtherFormats[] = {".h5",   ".hdf5",  ".npy",     ".npz",
-                                                      ".json", ".jsonl", ".parquet", ".xlsx"};
-        const std::string extension = std::filesystem::path(text).extension().string();
-        return std::ranges::find(kOtherFormats, extension) == std::end(kOtherFormats)
-                   ? ""
-                   : "tables are CSV: choose a name that ends in .csv, not " + text +
-                         "; a sweep writes trajectories as HDF5 and npy";
-    };
-    return {check, ""};
-}
-
 void add_tables(CLI::App& subcommand, RunOptions& options) {
     const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
-        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"))
-            .check(is_table_name());
+        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv")).check(table_name());
     };
     add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
     add_table("--contacts", options.contacts, "Write every contact point after each step");

@@ -53,6 +53,7 @@ void ContactStore::add_woken(std::span<const Contact> contacts) {
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
     std::vector<const Contact*> sorted;
+    sorted.reserve(woken_.size());
     for (const Contact& contact : woken_) sorted.push_back(&contact);
     std::sort(sorted.begin(), sorted.end(), [](const Contact* a, const Contact* b) { return a->shapes < b->shapes; });
     insert(

@@ -44,7 +44,7 @@ JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool
 
 bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
     if (!group.is_held || !group.is_rigid || group.joints.size() > kMostJoints) return false;
-    // The only joint of its bodies has a solution of its own (rows/lone_joint.hpp).
+    // The only joint with rows of its bodies has a solution of its own (rows/lone_joint.hpp).
     if (group.joints.size() == 1) return false;
     float lightest = std::numeric_limits<float>::infinity(), heaviest = 0.0f;
     for (const std::uint32_t body : group.bodies) {

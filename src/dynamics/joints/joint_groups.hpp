@@ -1,4 +1,4 @@
-// Which joints the direct solver takes, and which joints are the only ones of their bodies (rows/lone_joint.hpp).
+// Which joints the direct solver takes, and which are the only joints with rows of their bodies (rows/lone_joint.hpp).
 //
 // With JointSolver::direct it takes all. With JointSolver::iterative it takes those of small mechanisms, such as a
 // double pendulum or a four-bar linkage: groups of few rigid joints that a static or kinematic body holds, while none

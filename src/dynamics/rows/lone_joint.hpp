@@ -1,5 +1,5 @@
-// A hinge or rod that is the only joint of its bodies. No other joint acts on its rows, so that solving them once
-// solves the whole system of joints, as src/dynamics/direct does: pendulums keep period and amplitude.
+// A hinge or rod that is the only joint with rows of its bodies: filter joints have none. Solving its rows once solves
+// the whole system of joints, as src/dynamics/direct does: pendulums keep period and amplitude.
 //
 // In the pass with bias, first the velocities satisfy the rows. Then the bodies get the velocities along the chords of
 // their paths: those at which the rows hold when the sub-step ends. The relaxing pass projects the velocities

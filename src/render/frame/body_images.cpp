@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "file/find_file.hpp"
 #include "render/style/style.hpp"
-#include "tumble/file.hpp"
 
 namespace tumble::render {
 
@@ -50,24 +50,14 @@ std::vector<Placed> placed_images(const Scene& scene, const SceneWorld& world) {
     return all;
 }
 
-// The picture of a file; none if there is no such file. A pipe would never end.
-std::optional<Image> read_if_there(const std::filesystem::path& file) {
-    std::error_code error;
-    const std::filesystem::file_type type = std::filesystem::status(file, error).type();
-    if (type == std::filesystem::file_type::not_found) return std::nullopt;
-    if (error) throw FileError(file, error.message());
-    const bool is_file = type == std::filesystem::file_type::regular;
-    if (!is_file && type != std::filesystem::file_type::directory) throw FileError(file, "is no regular file");
-    return read_picture(file);
-}
-
 }  // namespace
 
 const Image* ImageFiles::find(const std::filesystem::path& file) {
     if (file.empty()) return nullptr;
     auto entry = files_.find(file);
     if (entry == files_.end()) {
-        std::optional<Image> image = read_if_there(file);
+        std::optional<Image> image;
+        if (is_file_there(file)) image = read_picture(file);
         if (image) pixels_ += pixels_of(*image);
         entry = files_.emplace(file, std::move(image)).first;
     }

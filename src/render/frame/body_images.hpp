@@ -19,7 +19,8 @@ class ImageFiles {
 public:
     static constexpr std::size_t kMostPixels = 64'000'000;  // of a scene
 
-    // The pixels of a file, valid until clear(); null if there is none. Throws as read_picture(), each time.
+    // The pixels of a file, valid until clear(); null if there is none. Throws FileError if it is no regular file or
+    // cannot be read, and PictureError as read_picture(), each time.
     const Image* find(const std::filesystem::path& file);
 
     // Of all files that are kept.

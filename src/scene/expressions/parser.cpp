@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/expressions/foreign_grammar.hpp"
 #include "scene/expressions/name_lookup.hpp"
 #include "scene/expressions/program.hpp"
 #include "scene/expressions/token.hpp"
 #include "scene/model/frame.hpp"
-#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
@@ -45,30 +45,6 @@ const Operator* find_operator(const Token& token) {
     return nullptr;
 }
 
-// The word of this grammar for a sign of other languages.
-std::string_view own_word(std::string_view sign) {
-    if (sign == "&&" || sign == "&") return "write 'and'";
-    if (sign == "||" || sign == "|") return "write 'or'";
-    if (sign == "!") return "write 'not'";
-    if (sign == "=") return "a comparison is written ==";
-    if (sign == "**") return "a power is written ^";
-    return {};
-}
-
-bool is_touch_word(std::string_view word) {
-    constexpr std::array<std::string_view, 10> kWords{"contact", "contacts", "collides", "collision", "hit",
-                                                      "hits",    "overlaps", "touch",    "touches",   "touching"};
-    return std::ranges::find(kWords, word) != kWords.end();
-}
-
-// What other languages call a function.
-std::string own_function(const std::string& name) {
-    if (name == "where") return "write if(condition, a, b)";
-    if (name == "clip") return "write clamp(a, low, high)";
-    if (is_touch_word(name)) return "write touching(a, b)";
-    return suggestion(name, names_of(function_words()));
-}
-
 class Parser {
 public:
     Parser(std::string_view text, const KnownNames* known)
@@ -86,6 +62,11 @@ private:
     const Token& now() const { return tokens_[at_]; }
     const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
     Token take() { return now().kind == Token::Kind::end ? now() : tokens_[at_++]; }
+    // The text of a node, in brackets if it is an operator, so that it may stand anywhere.
+    std::string operand(const Node& node) const {
+        const bool is_operator = node.op > Op::call;
+        return is_operator ? "(" + source(node) + ")" : source(node);
+    }
     std::string source(const Node& node) const { return std::string(text_.substr(node.begin, node.end - node.begin)); }
     // Of the token that was taken last, so that a part of the text that ends in a bracket has its bracket.
     std::size_t taken_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].end; }
@@ -113,11 +94,13 @@ private:
         const Node& node = program_.nodes[index];
         if (node.kind == kind) return;
         const bool is_number = node.kind == kNumber;
-        throw ExpressionError(
-            node.begin,
-            where + " needs a " + (is_number ? "condition" : "number") + "; '" + source(node) + "' is a " +
-                (is_number ? "number" : "condition"),
-            is_number ? "compare it: " + source(node) + " > 0" : "if(" + source(node) + ", 1, 0) is a number");
+        const std::string compared = source(node) + " > 0";
+        const bool is_side = where == "'=='" || where == "'!='";  // of another comparison
+        throw ExpressionError(node.begin,
+                              where + " needs a " + (is_number ? "condition" : "number") + "; '" + source(node) +
+                                  "' is a " + (is_number ? "number" : "condition"),
+                              is_number ? "compare it: " + (is_side ? "(" + compared + ")" : compared)
+                                        : "if(" + source(node) + ", 1, 0) is a number");
     }
 
     std::size_t expression(int least_level) {
@@ -302,11 +285,12 @@ private:
         }
         const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
         if (copies || may_lack_copies) return;
-        const std::string argument = source(program_.nodes[node.operands[0]]);
-        const bool counts = word.code == Function::count;
-        throw ExpressionError(node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
-                              "a body or joint without a \"repeat\" has no copies: write " +
-                                  (counts ? "if(" + argument + ", 1, 0)" : argument) + " without the function");
+        const Node& argument = program_.nodes[node.operands[0]];
+        throw ExpressionError(
+            node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
+            "a body or joint without a \"repeat\" has no copies: write " +
+                (word.code == Function::count ? "if(" + source(argument) + ", 1, 0)" : operand(argument)) +
+                " without the function");
     }
 
     // min and max with several arguments are of these, and not of copies. The hint has the argument that names them.

@@ -24,7 +24,7 @@ enum class Op {
     world_value,
     given_value,  // of a name that the program gave
     call,
-    negate,
+    negate,  // from here on, operators
     add,
     subtract,
     multiply,

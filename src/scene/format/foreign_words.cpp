@@ -157,7 +157,6 @@ constexpr ForeignWord kWords[] = {
     {"immovable", "static", ""},
     {"movable", "dynamic", ""},
     {"rigid", "dynamic", ""},
-    {"never", "always", R"(, of the opposite: "that": "not a.x > 1")"},
 };
 
 bool contains(std::span<const std::string_view> words, std::string_view word) {
@@ -244,6 +243,8 @@ std::string hint_for_foreign_word(std::string_view word, std::span<const std::st
     for (const auto& [foreign, own, with] : kWords)
         if (word == foreign && contains(names, own))
             return "this format calls it '" + std::string(own) + "'" + std::string(with);
+    if (word == "never" && contains(names, "always"))
+        return R"(negate the condition: "that": "not a.x > 1", "when": "always")";
     return nearest_word(word, names).empty() ? "" : suggestion(word, names);
 }
 

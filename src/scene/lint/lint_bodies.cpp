@@ -1,13 +1,10 @@
 // Lints of single bodies: slivers, sizes, weight, velocities and masses without effect, angles, images.
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <set>
 #include <string>
 
+#include "file/find_file.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
@@ -79,24 +76,14 @@ public:
 private:
     void lint_image(const std::filesystem::path& path, const std::string& where) {
         const std::string name = quoted(path.string());
-        const auto refuse = [&](const std::string& fault) {
-            diagnostics_.warning(codes::missing_image, where, fault + ": no frames can be drawn",
-                                 "name a PNG, JPEG or BMP file that can be read");
-        };
-        std::error_code error;
-        const std::filesystem::file_type type = std::filesystem::status(path, error).type();
-        if (type == std::filesystem::file_type::not_found)
+        const FoundFile found = find_file(path);
+        if (!found.is_there)
             diagnostics_.warning(codes::missing_image, where,
                                  "there is no file " + name + ": frames show the outline of the image",
                                  "paths are relative to the folder of the scene's file");
-        else if (error)
-            refuse("the file " + name + " cannot be read (" + error.message() + ")");
-        else if (type == std::filesystem::file_type::directory)
-            refuse(name + " is a folder, not a file");
-        else if (type != std::filesystem::file_type::regular)
-            refuse(name + " is no regular file");
-        else if (access(path.c_str(), R_OK) != 0)
-            refuse("the file " + name + " cannot be read (" + std::strerror(errno) + ")");
+        else if (!found.fault.empty())
+            diagnostics_.warning(codes::missing_image, where, name + " " + found.fault + ": no frames can be drawn",
+                                 "name a PNG, JPEG or BMP file that can be read");
     }
 
     void lint_size(const std::string& pointer, double width, double size) {

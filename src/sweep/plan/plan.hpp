@@ -88,6 +88,7 @@ struct Plan {
     std::vector<std::filesystem::path> scenes;  // as the plan names them, relative to its folder
     std::vector<std::string> settings;          // "/pointer=value", the same for all runs
     std::uint64_t runs = 0;
+    bool states_runs = false;  // the file or the option --runs; else each point of the grid has one
     std::uint64_t slices = 0;  // of a Latin hypercube: the runs that the file states
     std::uint64_t seed = 1;
     Seeds seeds;

@@ -45,8 +45,10 @@ void lint_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
              "is no multiple of the " + std::to_string(grid) +
                  " points of the grid, so that the first ones have a run more than the last",
              "without \"runs\" each point has one run");
-    if (plan.runs == 1 && !std::ranges::all_of(plan.parameters, &Parameter::is_on_grid))
-        warn(diagnostics, "", "the plan makes one run, with one value of each parameter that is drawn",
+    if (!plan.states_runs && !std::ranges::all_of(plan.parameters, &Parameter::is_on_grid))
+        warn(diagnostics, "",
+             std::string(grid == 1 ? "the plan makes one run" : "each point of the grid has one run") +
+                 ", with one value of each parameter that is drawn",
              "\"runs\" states how many");
     const std::uint64_t files =
         shard_count(plan) * (std::uint64_t{plan.write.has_tar()} + std::uint64_t{plan.write.has_hdf5()} + 1);

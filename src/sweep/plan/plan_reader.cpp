@@ -226,6 +226,7 @@ Plan read_object(const Json& json, const std::filesystem::path& file, std::uint6
     check_grid(plan, object);
     object.finish();
     if (diagnostics.has_errors()) return plan;
+    plan.states_runs = stated > 0 || runs > 0;
     plan.slices = stated > 0 ? stated : grid_size(plan);
     plan.runs = runs > 0 ? runs : plan.slices;
     return plan;

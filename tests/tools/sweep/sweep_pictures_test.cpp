@@ -1,5 +1,6 @@
 // tumble sweep: frames and masks.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -147,6 +148,22 @@ TEST_CASE("the folder of a sweep has the images of its frames, and a damaged ima
     CHECK(json::parse(verified.out)["repeated_runs"] == 6);
     tumble::write_png({1, 1, {0, 0, 255, 255}}, sweeps.folder / "out/plan/red.png");
     CHECK(run_tumble({"sweep", "verify", sweeps.at("out"), "--part", "1"}).code == 7);
+}
+
+TEST_CASE("a sweep with frames does not wait for an image that is a pipe: its runs are invalid") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "runs": 2,
+      "parameters": [{"name": "image", "set": "/bodies/ball/images/0/file", "list": ["gone.png", "pipe.png"]}],
+      "set": {"/camera": {"center": [0, 2], "height": 6}}, "write": {"frames": {"size": [96, 64]}}})");
+    sweeps.folder.write("scene.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [
+      {"name": "ball", "images": [{"file": "gone.png", "height": 2}], "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    REQUIRE(mkfifo((sweeps.folder / "pipe.png").c_str(), 0600) == 0);
+    std::vector<std::string> command =
+        tumble_command({"sweep", sweeps.at("plan.json"), "-o", sweeps.at("out"), "--json"});
+    command.insert(command.begin(), {"/usr/bin/timeout", "20"});
+    const Answer answer = tumble::test::run(command);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(json::parse(answer.out)["outcomes"] == json{{"ok", 1}, {"invalid", 1}});
+    CHECK(read_text(sweeps.folder / "out/runs.csv").find("pipe.png: is no regular file") != std::string::npos);
 }
 
 TEST_CASE("a sweep with frames of another renderer is not continued and not compared") {

@@ -77,7 +77,15 @@ TEST_CASE("a plan that is probably not meant so has a warning at its place") {
           "no scene has claims");
     const std::string drawn = R"("parameters": [{"name": "v", "set": "/bodies/ball/velocity/0", "range": [1, 3]}]})";
     check(start + drawn, "1:1: ", "one run, with one value of each parameter that is drawn");
+    const Answer asked = run_tumble({"sweep", (sweeps.folder / "odd.json").string(), "--dry-run", "--runs", "1"});
+    CHECK_MESSAGE(asked.err == "", asked.err);
     CHECK(warning_of(start + R"("runs": 2, )" + drawn) == "");
+    CHECK(warning_of(start + R"("runs": 1, )" + drawn) == "");
+    const std::string mixed =
+        R"("parameters": [{"name": "x", "set": "/bodies/ball/position/0", "list": [1, 2, 3, 4, 5]},
+        {"name": "v", "set": "/bodies/ball/velocity/0", "range": [1, 3]}]})";
+    check(start + mixed, "1:1: ", "each point of the grid has one run, with one value of each parameter that is drawn");
+    CHECK(warning_of(start + R"("runs": 5, )" + mixed) == "");
     check(start + R"("runs": 20, "write": {"masks": {"every": 30}}})", "1:69: /write/masks", "fitted to each run");
     check(start + R"("runs": 100000, "shard_runs": 5})", "1:68: /shard_runs", "the folder will have 20000");
 }

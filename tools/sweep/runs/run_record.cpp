@@ -7,6 +7,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "file/find_file.hpp"
 #include "sweep/store/manifest.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
@@ -225,7 +226,7 @@ Scene RunMaker::load(const RunChoice& choice) {
 void RunMaker::read_images(const Scene& scene) {
     const auto read = [this](const SceneBody& body) {
         for (const SceneImage& image : body.images)
-            if (std::error_code none; fs::exists(image.path, none)) texts_.read(image.path);
+            if (is_file_there(image.path)) texts_.read(image.path);
     };
     for (const SceneBody& body : scene.bodies) read(body);
     for (const SceneEvent& event : scene.timeline)
