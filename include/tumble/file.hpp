@@ -27,6 +27,18 @@ std::string read_file(const std::filesystem::path& file,
 // symbolic link. A relative `named` is relative to `folder`. Files that do not exist are allowed.
 bool leads_outside(const std::filesystem::path& folder, const std::filesystem::path& named);
 
+// A file that another file names, such as the image of a scene.
+struct FoundFile {
+    bool is_there = false;  // something has the path, though it may be no file
+    std::string fault;      // why it cannot be read, as what follows its name; empty: it can, or nothing is there
+};
+
+// Looks, and does not open: a pipe would wait for its other end.
+FoundFile find_file(const std::filesystem::path& file);
+
+// Whether there is a file. Throws FileError if something is there that is no regular file or cannot be read.
+bool is_file_there(const std::filesystem::path& file);
+
 // A file to be written. The bytes go to a temporary file in the same folder, with a name that no other thread or
 // process uses, and commit() renames it. The path /dev/stdout stands for standard output: its bytes go there in order,
 // without a temporary file, and an error may leave a part of them written. All functions throw FileError with the

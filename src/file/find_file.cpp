@@ -1,4 +1,3 @@
-#include "file/find_file.hpp"
 
 #include <unistd.h>
 

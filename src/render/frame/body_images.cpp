@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "file/find_file.hpp"
 #include "render/style/style.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble::render {
 

@@ -4,12 +4,12 @@
 #include <set>
 #include <string>
 
-#include "file/find_file.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
+#include "tumble/file.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::scene {

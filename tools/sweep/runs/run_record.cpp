@@ -7,7 +7,6 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "file/find_file.hpp"
 #include "sweep/store/manifest.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
