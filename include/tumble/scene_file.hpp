@@ -123,6 +123,10 @@ std::string replace_text(std::string_view scene_text, const std::string& pointer
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();
 
+// Clears what neither a run nor its frames depend on: $schema, description, claims, custom data, and the record of
+// which numbers were drawn (the numbers stay).
+void leave_out_remarks(Scene& scene);
+
 // xxHash64 of the canonical text of the simulated part: all but $schema, name, description, camera, colours, claims and
 // custom data. Scenes with equal simulated parts have equal hashes.
 std::uint64_t scene_hash(const Scene& scene);

@@ -1,4 +1,4 @@
-
+// Looking at files that other files name.
 #include <unistd.h>
 
 #include <cerrno>

@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "tools/output/json_writer.hpp"
+#include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
@@ -32,8 +32,7 @@ public:
     // "missing" for a file that does not exist: frames show an outline instead.
     const std::string& of(const fs::path& file) {
         const auto [entry, is_new] = known_.try_emplace(file, "missing");
-        std::error_code ignored;
-        if (is_new && fs::exists(file, ignored)) entry->second = to_hex(hash_of(read_picture(file)));
+        if (is_new && is_file_there(file)) entry->second = to_hex(hash_of(read_picture(file)));
         return entry->second;
     }
 
@@ -41,21 +40,10 @@ private:
     std::map<fs::path, std::string> known_;
 };
 
-void leave_out_custom(SceneBody& body) {
-    body.custom.clear();
-    for (SceneShape& shape : body.shapes) shape.custom.clear();
-}
-
 // The scene without what no frame depends on.
 Scene drawn_part(Scene scene) {
-    for (std::string* const text : {&scene.schema, &scene.description, &scene.custom}) text->clear();
+    leave_out_remarks(scene);
     scene.world.duration = SceneSettings{}.duration;
-    scene.expect.clear();
-    scene.draws.clear();
-    for (SceneBody& body : scene.bodies) leave_out_custom(body);
-    for (SceneJoint& joint : scene.joints) joint.custom.clear();
-    for (SceneEvent& event : scene.timeline)
-        if (event.spawn) leave_out_custom(*event.spawn);
     return scene;
 }
 

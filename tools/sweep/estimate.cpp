@@ -1,13 +1,10 @@
 #include "tools/sweep/estimate.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "sweep/store/tar.hpp"
 #include "tools/measure/stopwatch.hpp"
-#include "tools/output/csv_table.hpp"
 #include "tools/sweep/runs/run_record.hpp"
 
 namespace tumble::tools {
@@ -21,11 +18,10 @@ std::size_t bytes_of(const sweep::Plan& plan, const RunRecord& record) {
     return bytes;
 }
 
-// Empty for a run that has an end state. The message is the last column of the table.
+// Empty for a run that has an end state.
 std::string failure_of(const RunRecord& record) {
     if (record.outcome == "ok" || record.outcome == "filtered") return {};
-    const std::optional<std::vector<std::string>> cells = cells_of(record.row.substr(0, record.row.find('\n')));
-    return "run " + std::to_string(record.run) + " (" + record.outcome + "): " + (cells ? cells->back() : "");
+    return "run " + std::to_string(record.run) + " (" + record.outcome + "): " + record.message;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "scene/format/writer_visitor.hpp"
 #include "scene/json/json_text.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble {
 
@@ -15,29 +16,39 @@ Json write_scene(const Scene& scene, bool with_defaults) { return Writer(with_de
 
 namespace {
 
-void leave_out_unsimulated(SceneBody& body) {
-    body.custom.clear();
-    body.trail = body.skin = false;
-    body.images.clear();
-    for (SceneShape& shape : body.shapes) shape.custom.clear();
+template <class Visitor>
+void for_each_body(Scene& scene, Visitor&& visit) {
+    for (SceneBody& body : scene.bodies) visit(body);
+    for (SceneEvent& event : scene.timeline)
+        if (event.spawn) visit(*event.spawn);
 }
 
 Scene simulated_part(Scene scene) {
-    for (std::string* text : {&scene.schema, &scene.name, &scene.description, &scene.custom}) text->clear();
+    leave_out_remarks(scene);
+    scene.name.clear();
     scene.camera = {};
-    scene.expect.clear();
-    scene.draws.clear();
     for (SceneMaterial& material : scene.materials) material.color.clear();
-    for (SceneBody& body : scene.bodies) leave_out_unsimulated(body);
-    for (SceneJoint& joint : scene.joints) joint.custom.clear();
-    for (SceneEvent& event : scene.timeline)
-        if (event.spawn) leave_out_unsimulated(*event.spawn);
+    for_each_body(scene, [](SceneBody& body) {
+        body.trail = body.skin = false;
+        body.images.clear();
+    });
     return scene;
 }
 
 }  // namespace
 
 }  // namespace scene
+
+void leave_out_remarks(Scene& scene) {
+    for (std::string* text : {&scene.schema, &scene.description, &scene.custom}) text->clear();
+    scene.expect.clear();
+    scene.draws.clear();
+    scene::for_each_body(scene, [](SceneBody& body) {
+        body.custom.clear();
+        for (SceneShape& shape : body.shapes) shape.custom.clear();
+    });
+    for (SceneJoint& joint : scene.joints) joint.custom.clear();
+}
 
 std::string to_json(const Scene& scene) { return scene::pretty_text(scene::write_scene(scene)); }
 

@@ -194,8 +194,11 @@ RunRecord SweepRun::make() {
     } catch (const std::exception& error) {
         end("failed", error.what());
     }
-    RunRecord record{
-        .run = choice_.run, .outcome = found_.outcome, .is_stopped = is_stopped_, .steps = found_.steps.value_or(0)};
+    RunRecord record{.run = choice_.run,
+                     .outcome = found_.outcome,
+                     .message = found_.message,
+                     .is_stopped = is_stopped_,
+                     .steps = found_.steps.value_or(0)};
     add_data(record);
     record.row = table_row(plan_, choice_, found_, data_hash(record));
     return record;
@@ -242,7 +245,7 @@ RunRecord RunMaker::make(std::uint64_t run) {
 
 RunRecord RunMaker::record_crash(std::uint64_t run, const std::string& signal) const {
     const RunFindings found{.outcome = "crashed", .message = "its process ended by " + signal + ", again and again"};
-    RunRecord record{.run = run, .outcome = found.outcome};
+    RunRecord record{.run = run, .outcome = found.outcome, .message = found.message};
     const RunChoice choice = choose_run(plan_, run);
     if (plan_.write.summary) record.members.emplace_back("json", summary_text(plan_, choice, found));
     record.row = table_row(plan_, choice, found, data_hash(record));

@@ -21,6 +21,7 @@ struct RunRecord {
     // "ok"; "filtered": the filter drops its data; "diverged", "timed_out", "invalid", "failed", "crashed": it has no
     // end state.
     std::string outcome;
+    std::string message{};                                       // why it has no end state
     std::string row{};                                           // its line of the table
     std::vector<std::pair<std::string, std::string>> members{};  // of the tar file: suffix and bytes
     sweep::TrajectoryArray trajectory{};                         // for the HDF5 file
