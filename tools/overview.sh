@@ -28,7 +28,7 @@ trap 'rm -rf -- "$work"' EXIT
 overview_scenes=(
     'letters 0.8 0 4.8 8.8'
     'hourglass 2.3 0 0 16'
-    'wrecking_ball 2 2.2 6.8 16.5'
+    'wrecking_ball 2 2.2 7.4 18.6'
     'gears 2.5 0.6 -0.8 8.4'
     'ragdoll_pile 1.4 0 2.6 7'
     'walker 3 -0.2 3 10'
@@ -64,7 +64,7 @@ draw_overview() {
 draw_demo() {
     local fps=20 first_frame=20
     "$tumble" run "$project/scenes/wrecking_ball.json" --duration 4.8 --fps "$fps" --size 480x270 -o "$work/run" \
-        --set '/camera={"center": [3.4, 7], "height": 17.8}' > /dev/null
+        --set '/camera={"center": [3.4, 7.4], "height": 20.4}' > /dev/null
     ffmpeg -v error -framerate "$fps" -start_number "$first_frame" -i "$work/run/frames/frame_%06d.png" -bitexact \
         -filter_complex "tpad=stop_mode=clone:stop_duration=0.6,split[a][b];
             [a]palettegen=stats_mode=full:max_colors=128[palette];
