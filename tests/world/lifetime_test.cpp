@@ -80,41 +80,45 @@ TEST_CASE("destroying a body destroys its joints") {
     world.audit();
 }
 
+// Joints tear here by metres. Rows that act on torn joints with long arms diverge in half of such worlds.
 TEST_CASE("every invariant holds through random creation and destruction") {
-    World world;
-    add_floor(world);
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> x(-6.0, 6.0), y(0.5, 8.0);
-    std::vector<BodyId> bodies;
-    std::vector<JointId> joints;
-    int destroyed = 0, touching = 0;
-    const auto take = [&](auto& list) {
-        const std::size_t at = random() % list.size();
-        const auto id = list[at];
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
-        return id;
-    };
-    for (int round = 0; round < 400; ++round) {
-        const std::size_t dice = random() % 10;
-        if (dice < 5 || bodies.size() < 4) {
-            const auto type = dice == 0 ? BodyType::kinematic_body : BodyType::dynamic_body;
-            bodies.push_back(add_body(world, type, {x(random), y(random)}, make_box({0.8f, 0.6f})));
-            if (dice == 1) world.add_shape(bodies.back(), {make_circle(0.3f, {0.6f, 0.0f}), {}});
-        } else if (dice < 7) {
-            world.destroy_body(take(bodies));
-            ++destroyed;
-        } else if (dice < 9) {
-            const BodyId a = bodies[random() % bodies.size()], b = bodies[random() % bodies.size()];
-            if (a != b) joints.push_back(world.create_joint(RevoluteJointDef{.body_a = a, .body_b = b}));
-        } else if (!joints.empty()) {
-            const JointId joint = take(joints);
-            if (world.is_valid(joint)) world.destroy_joint(joint);
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        CAPTURE(seed);
+        World world;
+        add_floor(world);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> x(-6.0, 6.0), y(0.5, 8.0);
+        std::vector<BodyId> bodies;
+        std::vector<JointId> joints;
+        int destroyed = 0, touching = 0;
+        const auto take = [&](auto& list) {
+            const std::size_t at = random() % list.size();
+            const auto id = list[at];
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
+            return id;
+        };
+        for (int round = 0; round < 400; ++round) {
+            const std::size_t dice = random() % 10;
+            if (dice < 5 || bodies.size() < 4) {
+                const auto type = dice == 0 ? BodyType::kinematic_body : BodyType::dynamic_body;
+                bodies.push_back(add_body(world, type, {x(random), y(random)}, make_box({0.8f, 0.6f})));
+                if (dice == 1) world.add_shape(bodies.back(), {make_circle(0.3f, {0.6f, 0.0f}), {}});
+            } else if (dice < 7) {
+                world.destroy_body(take(bodies));
+                ++destroyed;
+            } else if (dice < 9) {
+                const BodyId a = bodies[random() % bodies.size()], b = bodies[random() % bodies.size()];
+                if (a != b) joints.push_back(world.create_joint(RevoluteJointDef{.body_a = a, .body_b = b}));
+            } else if (!joints.empty()) {
+                const JointId joint = take(joints);
+                if (world.is_valid(joint)) world.destroy_joint(joint);
+            }
+            world.audit();
+            world.step();
+            world.audit();
+            touching += world.counters().contacts;
         }
-        world.audit();
-        world.step();
-        world.audit();
-        touching += world.counters().contacts;
+        CHECK(destroyed > 40);
+        CHECK(touching > 1000);
     }
-    CHECK(destroyed > 40);
-    CHECK(touching > 1000);
 }

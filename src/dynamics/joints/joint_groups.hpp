@@ -3,7 +3,7 @@
 // With JointSolver::direct it takes all. With JointSolver::iterative it takes those of small mechanisms, such as a
 // double pendulum or a four-bar linkage: groups of few rigid joints that a static or kinematic body holds, while none
 // of their bodies has a contact. A group is a set of joints that are connected through dynamic bodies. A rigid joint
-// has no limits, motors and springs. ../SOFTNESS.md, steps 15 to 17, says why no others.
+// has no limits, motors and springs. ../SOFTNESS.md, steps 17 to 19, says why no others.
 #pragma once
 
 #include <algorithm>
