@@ -283,16 +283,16 @@ void run_substep(Simulation& simulation) {
     Crew& crew = simulation.crew;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
     JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
-    if (system) system->start_substep();
+    if (system) system->warm_start(bodies);
     simulation.joints.warm_start(bodies);
     contacts.warm_start(bodies, crew);
     simulation.joints.solve(context, true, bodies);
-    if (system) system->solve_chord(simulation.joints, bodies);
     contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
+    if (system) system->solve_chord(simulation.joints, bodies);
     integrate_positions(simulation.bodies, context.h, speed_limits(simulation), crew);
     simulation.joints.solve(context, false, bodies);
-    if (system) system->project_velocities(simulation.joints, bodies);
     contacts.relax(bodies, context.inv_h, friction_bound(simulation), crew);
+    if (system) system->project_velocities(simulation.joints, bodies);
 }
 
 void bounce(Simulation& simulation) {

@@ -1,6 +1,7 @@
 #include "dynamics/direct/joint_system.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "debug/check.hpp"
 
@@ -173,8 +174,13 @@ void JointSystem::factorize() {
     factor_.factorize(pattern_.lower, entries_, diagonal_);
 }
 
-void JointSystem::start_substep() {
-    for (const Row& row : rows_) *row.impulse = 0.0f;
+// The joints warm start too, but not with these impulses: their rows have the bodies' own inertia.
+void JointSystem::warm_start(std::span<SolverBody> bodies) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].carried = std::exchange(*rows_[i].impulse, 0.0f);
+        solution_[i] = double{rows_[i].carried};
+    }
+    add_solution(bodies);
 }
 
 void JointSystem::predict(std::span<const std::uint32_t> chosen, std::span<const SolverBody> bodies) {
@@ -189,6 +195,7 @@ void JointSystem::predict(std::span<const std::uint32_t> chosen, std::span<const
 
 void JointSystem::solve_chord(JointStore& joints, std::span<SolverBody> bodies) {
     if (rows_.empty()) return;
+    for (const Row& row : rows_) *row.impulse = row.carried;
     project(bodies);
     guard_.before_chord(guarded_, bodies);
     predict(pattern_.bodies, bodies);
@@ -227,18 +234,21 @@ void JointSystem::project(std::span<SolverBody> bodies) {
     apply(bodies);
 }
 
-// Solves for the impulses, and adds them up for each body before they change its velocity: those of the two joints of
-// a taut link almost cancel.
 void JointSystem::apply(std::span<SolverBody> bodies) {
     factor_.solve(solution_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) *rows_[i].impulse += static_cast<float>(solution_[i]);
+    add_solution(bodies);
+}
+
+// Adds the impulses up for each body before they change its velocity: those of the two joints of a taut link almost
+// cancel.
+void JointSystem::add_solution(std::span<SolverBody> bodies) {
     for (const std::uint32_t body : pattern_.bodies) changes_[body] = {};
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        *rows_[i].impulse += static_cast<float>(solution_[i]);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
         for (std::uint32_t end = 0; end < rows_[i].end_count; ++end) {
             const End& one = rows_[i].ends[end];
             for (std::size_t k = 0; k < 3; ++k) changes_[one.body][k] += one.response[k] * solution_[i];
         }
-    }
     for (const std::uint32_t index : pattern_.bodies) {
         SolverBody& body = bodies[index];
         const Motion& change = changes_[index];

@@ -9,7 +9,7 @@
 //   (the projection)
 // This is RATTLE [Andersen 1983] with gravity as a kick before each sub-step. JOINT_SYSTEM.md derives it.
 //
-// Limits, motors and springs are not part of the system; they are solved row by row before steps 1 and 3.
+// Contacts, limits, motors and springs are not part of the system; they are iterated before steps 1 and 3.
 #pragma once
 
 #include <array>
@@ -31,8 +31,9 @@ public:
     // `correction_speed`, m/s or rad/s.
     void prepare(JointStore& joints, std::span<const SolverBody> bodies, float h, float correction_speed);
 
-    // Clears the impulses of the rows: each sub-step finds them anew, and needs no warm start.
-    void start_substep();
+    // Applies the impulses of the last sub-step, so that contacts, limits, motors and springs see the forces of the
+    // joints (JOINT_SYSTEM.md, section 4).
+    void warm_start(std::span<SolverBody> bodies);
 
     void solve_chord(JointStore& joints, std::span<SolverBody> bodies);
     void project_velocities(JointStore& joints, std::span<SolverBody> bodies);
@@ -53,6 +54,7 @@ private:
         std::uint32_t end_count = 0;
         double error = 0.0;        // at the start of the sub-step, m or rad
         float* impulse = nullptr;  // of the joint
+        float carried = 0.0f;      // the impulse with which the sub-step began
     };
     // What the rows of a step need of a body that they move.
     struct Load {
@@ -72,6 +74,7 @@ private:
     void predict(std::span<const std::uint32_t> chosen, std::span<const SolverBody> bodies);
     void project(std::span<SolverBody> bodies);
     void apply(std::span<SolverBody> bodies);
+    void add_solution(std::span<SolverBody> bodies);
 
     float h_ = 0.0f;
     double largest_correction_ = 0.0;  // in a sub-step, m or rad

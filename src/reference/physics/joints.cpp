@@ -14,13 +14,6 @@ constexpr double kGravity = 10.0;
 constexpr DVec2 kDown{0.0, -kGravity};
 constexpr double kDegree = kPi / 180.0;
 
-// The option of tumble; Box2D has one solver.
-constexpr JointSolver kSolvers[] = {JointSolver::iterative, JointSolver::direct};
-
-std::string name_of(JointSolver solver) {
-    return solver == JointSolver::direct ? "direct joints" : "joints of the default";
-}
-
 // ---- A chain with a heavy ball ----
 
 constexpr int kLinks = 50;
@@ -232,10 +225,10 @@ void measure_pendulum(RowResult& row, const Effort& effort) {
     const int periods = effort.choose(100, 20);
     const Pendulum pendulums[] = {{2.0, 0.02, 120.0, true}, {2.0, 0.02, 60.0, true},   {1.0, 0.02, 120.0, true},
                                   {1.0, 0.02, 60.0, true},  {2.0, 0.02, 120.0, false}, {1.0, 0.3, 60.0, true}};
-    Chart chart{.title = "Amplitude of the pendulum of 2 m that starts at 120 degrees, " + name_of(kSolvers[0]),
+    Chart chart{.title = "Amplitude of the pendulum of 2 m that starts at 120 degrees, " + name_of(kJointSolvers[0]),
                 .x_label = "swing",
                 .y_label = "amplitude, degrees"};
-    for (const JointSolver solver : kSolvers)
+    for (const JointSolver solver : kJointSolvers)
         for (const Pendulum& pendulum : pendulums) swing_pendulum(row, chart, pendulum, solver, periods);
     row.charts.push_back(chart);
 }
@@ -285,12 +278,12 @@ void swing_double_pendulum(RowResult& row, Chart& chart, const DoubleStart& angl
 
 void measure_double_pendulum(RowResult& row, const Effort& effort) {
     const double duration = effort.choose(60, 20);
-    Chart chart{.title = "Energy of the double pendulum that starts level, " + name_of(kSolvers[0]),
+    Chart chart{.title = "Energy of the double pendulum that starts level, " + name_of(kJointSolvers[0]),
                 .x_label = "time, s",
                 .y_label = "energy, as a part of the first",
                 .bar = within(1.0, 0.02)};
     const DoubleStart starts[] = {{90.0, 90.0}, {120.0, 60.0}, {60.0, 150.0}, {45.0, 45.0}};
-    for (const JointSolver solver : kSolvers)
+    for (const JointSolver solver : kJointSolvers)
         for (const DoubleStart& angles : starts) swing_double_pendulum(row, chart, angles, solver, duration);
     row.charts.push_back(chart);
 }

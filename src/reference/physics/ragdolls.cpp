@@ -75,22 +75,23 @@ Scene doll_scene(int dolls, int columns, double drop) {
     return scene;
 }
 
-void measure_ragdolls(RowResult& row, const Effort& effort) {
-    const int dolls = effort.choose(30, 9);
-    Finding gap{.condition = text("%g ragdolls", dolls),
+void drop_dolls(RowResult& row, int dolls, JointSolver solver) {
+    const std::string condition = text("%g ragdolls, ", dolls) + name_of(solver);
+    Finding gap{.condition = condition,
                 .quantity = "widest gap of a joint at rest",
                 .unit = "m",
                 .exact = 0.0,
                 .bar = at_most(0.005)};
-    Finding sleep{
-        .condition = text("%g ragdolls", dolls), .quantity = "all asleep after", .unit = "s", .bar = at_most(4.0)};
-    Chart chart{.title = "Widest gap of a joint",
+    Finding sleep{.condition = condition, .quantity = "all asleep after", .unit = "s", .bar = at_most(4.0)};
+    Chart chart{.title = "Widest gap of a joint, " + name_of(solver),
                 .x_label = "time, s",
                 .y_label = "gap, m",
                 .log_y = true,
                 .bar = Bar{1e-4, 0.005}};
+    Scene scene = doll_scene(dolls, 3, 0.5);
+    scene.world.joints = solver;
     for (const Engine engine : kEngines) {
-        const auto run = start(engine, doll_scene(dolls, 3, 0.5));
+        const auto run = start(engine, scene);
         Curve curve{.name = name_of(engine), .engine = engine};
         while (run->time() < 12.0 && !run->all_asleep()) {
             run->step();
@@ -103,6 +104,10 @@ void measure_ragdolls(RowResult& row, const Effort& effort) {
     row.findings.push_back(gap);
     row.findings.push_back(sleep);
     row.charts.push_back(chart);
+}
+
+void measure_ragdolls(RowResult& row, const Effort& effort) {
+    for (const JointSolver solver : kJointSolvers) drop_dolls(row, effort.choose(30, 9), solver);
 }
 
 }  // namespace

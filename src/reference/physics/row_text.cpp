@@ -14,6 +14,10 @@ std::string name_of(Engine engine) {
     return std::string(kNames[static_cast<std::size_t>(engine)]);
 }
 
+std::string name_of(JointSolver solver) {
+    return solver == JointSolver::direct ? "direct joints" : "joints of the default";
+}
+
 Curve curve_of_indices(Engine engine, const std::vector<double>& times) {
     Curve curve{.name = name_of(engine), .engine = engine, .joined = false};
     for (std::size_t i = 0; i < times.size(); ++i) curve.points.push_back({times[i], static_cast<double>(i)});

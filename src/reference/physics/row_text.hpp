@@ -20,6 +20,10 @@ std::string text(const char* format, Numbers... numbers) {
 std::string rate_text(SceneRate rate);  // "60 Hz, 4 sub-steps"
 std::string name_of(Engine engine);
 
+// The option of tumble; Box2D has one solver.
+constexpr JointSolver kJointSolvers[] = {JointSolver::iterative, JointSolver::direct};
+std::string name_of(JointSolver solver);
+
 // The points (times[i], i).
 Curve curve_of_indices(Engine engine, const std::vector<double>& times);
 

@@ -250,6 +250,21 @@ TEST_CASE("a hinge between two static bodies does not change the motion of a fre
     CHECK(ends[0].angular_velocity == ends[1].angular_velocity);
 }
 
+// A plate of 30 times the mass of each of the two legs that it is welded to.
+TEST_CASE("a heavy table whose joints are solved directly stands on its light legs, and falls asleep") {
+    World world = direct_world();
+    add_floor(world);
+    const BodyId plate = add_dynamic(world, {0.0, 1.1}, make_box({3.0f, 0.2f}), {.density = 10.0f});
+    for (const float x : {-1.0f, 1.0f}) {
+        const BodyId leg = add_dynamic(world, {double{x}, 0.5}, make_box({0.2f, 1.0f}));
+        world.create_joint(
+            WeldJointDef{.body_a = leg, .body_b = plate, .anchor_a = {0.0f, 0.5f}, .anchor_b = {x, -0.1f}});
+    }
+    run(world, 60);
+    CHECK(world.awake_bodies().empty());
+    CHECK(near(world.state(plate).pose.position.y, 1.1, absolute(5e-4)));
+}
+
 TEST_CASE("doubled joints share their load, and hold") {
     World world = direct_world();
     const BodyId wall = add_static(world, {0.0, 0.0}, make_box({0.2f, 0.2f}));
