@@ -86,6 +86,10 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+// The names of the bodies and joints in the text of an expression, each once, in alphabetical order. Throws
+// ExpressionError for a text that is no expression.
+std::vector<std::string> names_in_expression(std::string_view text);
+
 // Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
 // (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
 // The condition of a `when` is evaluated in the initial state and after each step; the event is applied before the

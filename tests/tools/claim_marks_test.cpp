@@ -55,6 +55,17 @@ TEST_CASE("a `touches` claim marks both bodies, and all copies of a common name"
     CHECK(marks(marking, built, "crate[1]"));
 }
 
+TEST_CASE("a `that` claim marks the bodies in its conditions, each once") {
+    const SceneWorld built = made();
+    SceneExpectation claim;
+    claim.that = "ball.x < crate[1].x and ball.y > 1";
+    claim.before = "ball.speed > 2";
+    const Marking marking = marks_of(claim, {}, built);
+    CHECK(marking.bodies.size() == 2);
+    CHECK(marks(marking, built, "ball"));
+    CHECK(marks(marking, built, "crate[1]"));
+}
+
 TEST_CASE("claims of the world mark the bodies that violate them") {
     SceneWorld built = made();
     for (int step = 0; step < 10; ++step) built.world.step();

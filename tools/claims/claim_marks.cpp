@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace tumble::tools {
 
@@ -33,12 +35,24 @@ void mark_regions(const SceneExpectation& expected, Marking& marking) {
             corners_of(expected, {-kWide, std::max(height->lower, -kWide)}, {kWide, std::min(height->upper, kWide)}));
 }
 
+// The names of bodies and joints in the claim; no body has the name of a joint.
+std::vector<std::string> names_in(const SceneExpectation& expected) {
+    std::vector<std::string> names{expected.body, expected.touches, expected.never_touches, expected.joint};
+    for (const std::string& condition : {expected.that, expected.before})
+        if (!condition.empty())
+            for (std::string& name : names_in_expression(condition)) names.push_back(std::move(name));
+    return names;
+}
+
 void mark_named(const SceneExpectation& expected, const SceneWorld& built, Marking& marking) {
+    const std::vector<std::string> names = names_in(expected);
+    const auto is_named = [&](const std::string& built_name) {
+        return std::ranges::any_of(names, [&](const std::string& name) { return is_called(built_name, name); });
+    };
     for (const SceneInstance& body : built.bodies)
-        for (const std::string& name : {expected.body, expected.touches, expected.never_touches})
-            if (is_called(body.name, name)) marking.bodies.push_back(body.id);
+        if (is_named(body.name)) marking.bodies.push_back(body.id);
     for (const SceneJointInstance& joint : built.joints) {
-        if (!is_called(joint.name, expected.joint) || !built.world.is_valid(joint.id)) continue;
+        if (!is_named(joint.name) || !built.world.is_valid(joint.id)) continue;
         std::visit(
             [&](const auto& def) {
                 marking.bodies.insert(marking.bodies.end(), {def.body_a, def.body_b});

@@ -1,6 +1,8 @@
 // The public class.
 #include "tumble/scene_run.hpp"
 
+#include <set>
+
 #include "scene/expressions/evaluate.hpp"
 #include "scene/expressions/program.hpp"
 
@@ -39,5 +41,11 @@ double Expression::value(const World& world, const SceneWorld& built, std::span<
 bool Expression::holds(const SceneWorld& built) const { return scene::holds(impl_->program, built); }
 double Expression::shortfall(const SceneWorld& built) const { return scene::shortfall_of(impl_->program, built); }
 std::string Expression::finding(const SceneWorld& built) const { return scene::finding_of(impl_->program, built); }
+
+std::vector<std::string> names_in_expression(std::string_view text) {
+    std::set<std::string> names;
+    for (const scene::NameSpan& span : scene::compile(text, nullptr).spans) names.insert(span.name);
+    return {names.begin(), names.end()};
+}
 
 }  // namespace tumble
