@@ -40,6 +40,14 @@ def test_a_scene_is_plain_data():
     assert made == made.copy() and repr(made) == "<Scene 'scene': 1 body, 0 joints>"
 
 
+def test_the_seed_of_a_run_draws_its_random_numbers():
+    ball = {"name": "ball", "position": [0, {"uniform": [2, 4]}], "shapes": [{"circle": {"radius": 0.5}}]}
+    scene = tumble.Scene({"bodies": [ball]})
+    heights = [scene.run(duration=0.1, seed=seed).bodies["ball"].position.y for seed in (1, 2, 1)]
+    assert heights[0] != heights[1] and heights[0] == heights[2]
+    assert "world" not in scene.data
+
+
 def test_a_scene_is_written_and_read_again(tmp_path):
     scene = tumble.Scene.load(SCENES / "machines.json")
     scene.save(tmp_path / "copy.json")

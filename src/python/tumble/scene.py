@@ -122,12 +122,15 @@ class Scene:
         run.world.threads = threads
         return run
 
-    def run(self, duration: float | None = None, *, threads: int = 1) -> Run:
-        """Runs the scene for `duration` s, by default its own, and evaluates its claims."""
+    def run(self, duration: float | None = None, *, seed: int | None = None, threads: int = 1) -> Run:
+        """Runs the scene for `duration` s with the random numbers of `seed`, by default its own, and evaluates its
+        claims."""
+        given = {"duration": duration, "seed": seed}
+        changes = {key: value for key, value in given.items() if value is not None}
         scene = self
-        if duration is not None:
+        if changes:
             scene = self.copy()
-            scene.data.setdefault("world", {})["duration"] = duration
+            scene.data.setdefault("world", {}).update(changes)
         run = scene.start(threads=threads)
         run.finish()
         return run
