@@ -36,8 +36,8 @@ enum class JointSolver : std::uint8_t {
     // For chains, ragdolls and robots it takes several times as long as the iteration; grids of many joints, and bodies
     // with hundreds of them, take far longer. Joints that contradict each other yield one after the other.
     // Contacts are iterated beside it. Piles of ragdolls come to rest. Light bodies between others of over 50 times
-    // their
-    // mass may not, such as the planks of a bridge under a boulder or the thin legs of a heavy table: iterate these.
+    // their mass may not, such as the planks of a bridge under a boulder or the thin legs of a heavy table: iterate
+    // these.
     direct,
 };
 

@@ -35,7 +35,7 @@ void mark_regions(const SceneExpectation& expected, Marking& marking) {
             corners_of(expected, {-kWide, std::max(height->lower, -kWide)}, {kWide, std::min(height->upper, kWide)}));
 }
 
-// The names of bodies and joints in the claim; no body has the name of a joint.
+// The names of bodies and joints in the claim.
 std::vector<std::string> names_in(const SceneExpectation& expected) {
     std::vector<std::string> names{expected.body, expected.touches, expected.never_touches, expected.joint};
     for (const std::string& condition : {expected.that, expected.before})
