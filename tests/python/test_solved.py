@@ -11,7 +11,7 @@ import tumble.env
 #: The arguments of the search, the score of a solution (at least in the mean of 32 new episodes), and the score that
 #: always acting in the middle of the range does not reach.
 RECIPES = {
-    "acrobot": (dict(policy=solving.as_choice, count=32, generations=6), -100, -150),
+    "acrobot": (dict(policy=solving.as_choice, seed=3, count=96, generations=10, episodes=2), -100, -150),
     "car_racing": (dict(count=32, generations=12, episodes=2, inputs="tilt turning speed rise grips"), 9, 0),
     "juggling": (dict(count=32, generations=6, episodes=2, inputs="next_x"), 300, 150),
     "lunar_lander": (dict(seed=2, count=64, generations=20, episodes=3,
