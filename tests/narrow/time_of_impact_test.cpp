@@ -131,11 +131,22 @@ Query random_query(Random& random, double turn) {
     return query;
 }
 
-void check_random(std::uint64_t seed, double turn, std::uint64_t count) {
+// Discs that turn about their own centres.
+Query random_discs(Random& random, double turn) {
+    Query query = random_query(random, turn);
+    query.a = tumble_test::random_shape(random, tumble_test::ShapeKind::circle, 1.0);
+    query.b = tumble_test::random_shape(random, tumble_test::ShapeKind::circle, random.uniform(0.3, 3.0));
+    query.sweep_a.local_center = query.a.vertex(0);
+    query.sweep_b.local_center = query.b.vertex(0);
+    return query;
+}
+
+void check_random(std::uint64_t seed, double turn, std::uint64_t count,
+                  Query (*make_query)(Random&, double) = random_query) {
     Tally tally;
     for (std::uint64_t index = 0; index < count; ++index) {
         Random random(seed, index);
-        const Query query = random_query(random, turn);
+        const Query query = make_query(random, turn);
         if (holds(query, tally)) continue;
         ++tally.failures;
         INFO("seed ", seed, " pair ", index, " turn ", turn);
@@ -157,10 +168,19 @@ TEST_CASE("moving and turning pairs of every kind are never late and never hit w
     check_random(4, 0.0, tumble_test::pair_count() / 8);
 }
 
+TEST_CASE("discs about their own centres are never late, never hit without contact, and take one iteration") {
+    check_random(5, 10.0, tumble_test::pair_count() / 4, random_discs);
+    const Query query{make_circle(0.5f), make_circle(0.25f), {{}, {}, {}, 0.0, 9.0}, {{}, {4.0, 0.0}, {-4.0, 0.0}}};
+    const CastResult result = query.impact();
+    CHECK(result.iterations == 1);
+    CHECK(std::abs(result.fraction - 3.25 / 8.0) < 1e-14);
+    CHECK(std::abs(result.point.x - 0.5) < 1e-14);
+}
+
 TEST_CASE("swapping the bodies gives the same fraction and the opposite normal") {
     for (std::uint64_t index = 0; index < tumble_test::pair_count() / 4; ++index) {
         Random random(5, index);
-        const Query query = random_query(random, 2.0);
+        const Query query = index % 4 == 0 ? random_discs(random, 2.0) : random_query(random, 2.0);
         const CastResult result = query.impact();
         const CastResult swapped = time_of_impact(query.b, query.sweep_b, query.a, query.sweep_a, query.target);
         INFO("pair ", index);
@@ -174,7 +194,7 @@ TEST_CASE("swapping the bodies gives the same fraction and the opposite normal")
 TEST_CASE("scaling lengths by a power of two changes no bit of the fraction") {
     for (std::uint64_t index = 0; index < tumble_test::pair_count() / 4; ++index) {
         Random random(6, index);
-        const Query query = random_query(random, 2.0);
+        const Query query = index % 4 == 0 ? random_discs(random, 2.0) : random_query(random, 2.0);
         const int exponent = random.integer(-60, 60);
         const double factor = std::ldexp(1.0, exponent);
         Query scaled = query;

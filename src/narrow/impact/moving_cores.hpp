@@ -26,7 +26,8 @@ public:
     // would stall.
     void move(MovingCores& cores, double fraction) const;
 
-    DVec2 velocity() const { return velocity_; }  // of B's centre relative to A's, m a whole motion
+    DVec2 separation() const { return separation_; }  // from A's centre of mass to B's at the start
+    DVec2 velocity() const { return velocity_; }      // of B's centre relative to A's, m a whole motion
     double turn_a() const { return a_.turns; }
     double turn_b() const { return b_.turns; }
     double extent_a() const { return a_.extent; }  // of the cores from their centres of mass, at least

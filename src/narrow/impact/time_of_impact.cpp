@@ -12,6 +12,7 @@
 #include "narrow/distance/measure_cores.hpp"
 #include "narrow/distance/witness.hpp"
 #include "narrow/impact/certified_step.hpp"
+#include "narrow/impact/disc_impact.hpp"
 #include "narrow/impact/leading_features.hpp"
 
 namespace tumble {
@@ -193,6 +194,8 @@ CastResult time_of_impact(const Shape& a, const Sweep& sweep_a, const Shape& b, 
     const double radius_a = a.radius(), reach = (radius_a + b.radius()) + target;
     const Motion motion(a, sweep_a, b, sweep_b, reach);
     if (!motion.is_valid() || !(target >= 0.0)) return invalid_cast();
+    if (is_centered_disc(a, sweep_a) && is_centered_disc(b, sweep_b))
+        if (const std::optional<CastResult> found = find_disc_impact(motion, reach, radius_a, sweep_a)) return *found;
     return ImpactSearch(motion, reach).run(radius_a, sweep_a);
 }
 
