@@ -23,22 +23,23 @@ void add_box_of_walls(World& world, BodyType type, Vec2 velocity) {
         }
 }
 
-std::vector<BodyId> fill_box(World& world) {
+std::vector<BodyId> fill_box(World& world, double shift) {
     std::vector<BodyId> bodies;
     for (int i = 0; i < 49; ++i) {
         const float size = 0.2f + 0.02f * static_cast<float>(i % 5);
-        const DVec2 at{1.2 * (i % 7) - 3.6 + 0.01 * (i % 3), 1.2 * (i / 7) - 3.6};
+        const DVec2 at{1.2 * (i % 7) - 3.6 + 0.01 * (i % 3) + shift * (i % 4), 1.2 * (i / 7) - 3.6};
         const Shape shape = i % 2 == 0 ? make_circle(size) : make_box({2.0f * size, 1.4f * size});
         bodies.push_back(add_dynamic(world, at, shape, {}, 0.3 * i));
     }
     return bodies;
 }
 
-// Steps for a second: how far from the middle of the box the farthest body is then, along x or y.
-double farthest_in_box(const WorldDef& def, BodyType walls, Vec2 velocity) {
+// Steps for a second: how far from the middle of the box the farthest body is then, along x or y. `shift` (m) moves the
+// bodies at the start.
+double farthest_in_box(const WorldDef& def, BodyType walls, Vec2 velocity, double shift = 0.0) {
     World world(def);
     add_box_of_walls(world, walls, velocity);
-    const std::vector<BodyId> bodies = fill_box(world);
+    const std::vector<BodyId> bodies = fill_box(world, shift);
     run(world, static_cast<int>(def.steps_per_second));
     double farthest = 0.0;
     for (const BodyId body : bodies) {
@@ -59,7 +60,10 @@ TEST_CASE("in order: 49 bodies stay in a closed box at high gravity, low rates a
                 CAPTURE(gravity);
                 CAPTURE(substeps);
                 const WorldDef def{.gravity = {0.0f, -gravity}, .steps_per_second = rate, .substeps = substeps};
-                CHECK(farthest_in_box(def, BodyType::static_body, {}) <= 5.0);
+                for (int i = 0; i < 6; ++i) {
+                    CAPTURE(i);
+                    CHECK(farthest_in_box(def, BodyType::static_body, {}, 1e-4 * i) <= 5.0);
+                }
             }
 }
 

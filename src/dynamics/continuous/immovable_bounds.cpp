@@ -116,9 +116,9 @@ private:
             return distance(immovable.shape, other_pose, core_of(shape, part), pose).distance;
         };
         float out = 0.0f, in = kBoundCore;
-        double gap = separation(out), depth = -separation(in);
+        double gap = separation(out), depth = std::max(-separation(in), 0.0);  // the rounded pose may be out
         const double tolerance = kCoreTolerance * static_cast<double>(shape.smaller_extent);
-        for (int tries = 0; tries < kMaxTries && gap > tolerance && depth > 0.0; ++tries) {
+        for (int tries = 0; tries < kMaxTries && gap > tolerance; ++tries) {
             const float part = out + static_cast<float>((gap - 0.5 * tolerance) / (gap + depth)) * (in - out);
             const double found = separation(part);
             if (found > 0.0) {
