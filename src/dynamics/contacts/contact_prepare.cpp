@@ -247,7 +247,8 @@ void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLane
             contact.impulses[i] = {point.normal_impulse[lane], point.tangent_impulse[lane]};
             contact.applied[i] = {point.applied_normal[lane], point.applied_tangent[lane]};
             contact.is_touching |= point.applied_normal[lane] > 0.0f;
-            has_acted |= point.applied_normal[lane] > 0.0f || contact.manifold.points[i].separation < 0.0f;
+            has_acted |= point.applied_normal[lane] > 0.0f || point.applied_tangent[lane] != 0.0f ||
+                         contact.manifold.points[i].separation < 0.0f;
         }
         if (has_acted) mark_pushed(bodies[block.body_a[lane]]), mark_pushed(bodies[block.body_b[lane]]);
         if (block.has_rolling_resistance) contact.rolling_impulse = block.extras->rolling_impulse[lane];
