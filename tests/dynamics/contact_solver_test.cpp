@@ -178,6 +178,27 @@ TEST_CASE("a soft contact takes back less of its carried impulse and more of its
     }
 }
 
+// Otherwise the closed form of free flight would replace its motion.
+TEST_CASE("a body that friction alone has pushed counts as pushed") {
+    for (const float tangent : {0.0f, -0.5f}) {
+        CAPTURE(tangent);
+        BodyStore bodies;
+        const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
+        const BodyId ball = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
+        std::vector<Contact> contacts{make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, 0.01f)};
+        ConstraintGraph graph;
+        graph.build(contacts, bodies);
+        std::vector<ContactBlock> blocks;
+        std::vector<ContactExtras> extras;
+        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
+        REQUIRE(blocks.size() == 1);
+        blocks[0].points[0].applied_tangent[0] = tangent;
+        store_impulses(blocks, graph, contacts, bodies.solver_bodies, crew);
+        CHECK(contacts[0].applied[0].tangent == tangent);
+        CHECK(((bodies.solver_bodies[1].flags & kPushedBody) != 0) == (tangent != 0.0f));
+    }
+}
+
 TEST_CASE("unused lanes and absent points stay neutral through every pass") {
     Tangle tangle(3, 6, 5);
     for (int pass = 0; pass < 4; ++pass) {
