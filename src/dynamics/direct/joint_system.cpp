@@ -141,6 +141,13 @@ JointSystem::End JointSystem::make_end(const RowEnd& end) const {
     return {end.body, {x, y, angular}, {end.inv_mass.x * x, end.inv_mass.y * y, inv_inertia * angular}};
 }
 
+// The inertia of the body as a part of that in the system: less than 1 under tension.
+double JointSystem::own_part(const RowEnd& end) const {
+    if (!is_moved(end)) return 1.0;
+    const double ratio = double{end.inv_inertia} * loads_[end.body].least_inertia;
+    return ratio > 1.0 ? 1.0 / ratio : 1.0;
+}
+
 void JointSystem::make_rows() {
     TUMBLE_CHECK(listed_.size() == rows_.size());
     for (std::size_t index = 0; index < listed_.size(); ++index) {
@@ -150,7 +157,12 @@ void JointSystem::make_rows() {
         row.end_count = listed.end_count;
         row.error = listed.error;
         row.impulse = listed.impulse;
-        for (std::uint32_t i = 0; i < listed.end_count; ++i) row.ends[i] = make_end(listed.ends[i]);
+        row.dead_response = listed.dead_response;
+        row.kept_part = 1.0;
+        for (std::uint32_t i = 0; i < listed.end_count; ++i) {
+            row.ends[i] = make_end(listed.ends[i]);
+            row.kept_part = std::min(row.kept_part, own_part(listed.ends[i]));
+        }
     }
 }
 
@@ -171,13 +183,22 @@ void JointSystem::factorize() {
         else
             entries_[term.entry] += value;
     }
+    for (std::size_t i = 0; i < rows_.size(); ++i) damp(rows_[i], diagonal_[i]);
     factor_.factorize(pattern_.lower, entries_, diagonal_);
+}
+
+// Near a dead point the inverse of the diagonal is damped_inverse() of the response.
+void JointSystem::damp(Row& row, double& response) {
+    if (row.dead_response == 0.0 || response == 0.0) return;
+    const double damped = response + row.dead_response * row.dead_response / response;
+    row.kept_part *= response / damped;
+    response = damped;
 }
 
 // The joints warm start too, but not with these impulses: their rows have the bodies' own inertia.
 void JointSystem::warm_start(std::span<SolverBody> bodies) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        rows_[i].carried = std::exchange(*rows_[i].impulse, 0.0f);
+        rows_[i].carried = static_cast<float>(rows_[i].kept_part) * std::exchange(*rows_[i].impulse, 0.0f);
         solution_[i] = double{rows_[i].carried};
     }
     add_solution(bodies);

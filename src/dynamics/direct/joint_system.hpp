@@ -52,9 +52,11 @@ private:
     struct Row {
         std::array<End, 4> ends;
         std::uint32_t end_count = 0;
-        double error = 0.0;        // at the start of the sub-step, m or rad
-        float* impulse = nullptr;  // of the joint
-        float carried = 0.0f;      // the impulse with which the sub-step began
+        double error = 0.0;          // at the start of the sub-step, m or rad
+        float* impulse = nullptr;    // of the joint
+        double dead_response = 0.0;  // of rows/joint_row.hpp
+        double kept_part = 1.0;      // of the impulse, in the next sub-step (JOINT_SYSTEM.md, section 5)
+        float carried = 0.0f;        // the impulse with which the sub-step began
     };
     // What the rows of a step need of a body that they move.
     struct Load {
@@ -68,9 +70,11 @@ private:
     bool has_same_couplings();
     void measure_loads();
     void hold_components();
+    double own_part(const RowEnd& end) const;
     End make_end(const RowEnd& end) const;
     void make_rows();
     void factorize();
+    static void damp(Row& row, double& response);
     void predict(std::span<const std::uint32_t> chosen, std::span<const SolverBody> bodies);
     void project(std::span<SolverBody> bodies);
     void apply(std::span<SolverBody> bodies);

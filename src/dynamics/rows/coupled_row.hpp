@@ -57,6 +57,10 @@ inline float shared_response(const CoupledBodies& joint, const CoupledRow& row) 
     return response;
 }
 
+inline float dead_response(const CoupledBodies& joint, const CoupledRow& row) {
+    return dead_response(joint.first, row.first) + joint.ratio * joint.ratio * dead_response(joint.second, row.second);
+}
+
 // Effective mass, kg or kg m^2: 1 / K with K = K_11 + 2 ratio K_12 + ratio^2 K_22. Two rows that cancel each other have
 // K = 0 but for rounding, some 2^-24 of K_11 + ratio^2 K_22: their effective mass is 0, so that no impulse acts.
 inline float row_mass(const CoupledBodies& joint, const CoupledRow& row) {
@@ -67,8 +71,7 @@ inline float row_mass(const CoupledBodies& joint, const CoupledRow& row) {
     TUMBLE_CHECK(!(uncoupled < 0.0f));
     if (!(response > 1e-5f * uncoupled)) return 0.0f;
     if (joint.first.locked_mass + joint.second.locked_mass == 0.0f) return 1.0f / response;
-    return damped_inverse(response,
-                          dead_response(joint.first, row.first) + ratio_sq * dead_response(joint.second, row.second));
+    return damped_inverse(response, dead_response(joint, row));
 }
 
 }  // namespace tumble

@@ -13,19 +13,20 @@ namespace tumble {
 struct EqualityRow {
     std::array<RowEnd, 4> ends;
     std::uint32_t end_count = 0;
-    float error = 0.0f;        // m or rad; 0 where the constraint holds
-    float* impulse = nullptr;  // of the joint, N s or N m s
+    float error = 0.0f;          // m or rad; 0 where the constraint holds
+    float* impulse = nullptr;    // of the joint, N s or N m s
+    float dead_response = 0.0f;  // dead_response() of the row; 0 if no body is locked along an axis
 };
 
 inline EqualityRow make_equality(const JointBodies& joint, const JointRow& row, float error, float& impulse) {
     const std::array<RowEnd, 2> ends = row_ends(joint, row);
-    return {{ends[0], ends[1]}, 2, error, &impulse};
+    return {{ends[0], ends[1]}, 2, error, &impulse, dead_response(joint, row)};
 }
 
 inline EqualityRow make_equality(const CoupledBodies& joint, const CoupledRow& row, float error, float& impulse) {
     const std::array<RowEnd, 2> first = row_ends(joint.first, row.first);
     const std::array<RowEnd, 2> second = row_ends(joint.second, joint.ratio * row.second);
-    return {{first[0], first[1], second[0], second[1]}, 4, error, &impulse};
+    return {{first[0], first[1], second[0], second[1]}, 4, error, &impulse, dead_response(joint, row)};
 }
 
 // Calls visit(row) for each row of a block.
