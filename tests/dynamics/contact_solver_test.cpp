@@ -80,6 +80,28 @@ double normal_speed(const Tangle& tangle, const Contact& contact) {
     return static_cast<double>(dot(relative, contact.manifold.normal));
 }
 
+// A ball of mass 2 above static ground, with the block of their contact.
+struct BallOnGround {
+    BodyStore bodies;
+    std::vector<Contact> contacts;
+    ConstraintGraph graph;
+    std::vector<ContactBlock> blocks;
+    std::vector<ContactExtras> extras;
+};
+
+BallOnGround make_ball_on_ground(float separation, float speed = 0.0f, float impulse = 0.0f) {
+    BallOnGround made;
+    const BodyId ground = add_body(made.bodies, BodyType::static_body, {}, 0.0f, 0.0f);
+    const BodyId ball = add_body(made.bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
+    made.bodies.solver_bodies[1].velocity = {0.0f, speed};
+    made.contacts.push_back(make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, separation));
+    made.contacts[0].impulses[0].normal = impulse;
+    made.graph.build(made.contacts, made.bodies);
+    prepare_contacts(made.contacts, made.bodies, made.graph, {}, {}, kH, made.blocks, made.extras, crew);
+    REQUIRE(made.blocks.size() == 1);
+    return made;
+}
+
 }  // namespace
 
 TEST_CASE("every touching contact has one lane, and no block contains a dynamic body twice") {
@@ -133,17 +155,7 @@ TEST_CASE("the relax pass leaves the last contacts that it solves without approa
 TEST_CASE("a soft contact gets the impulse of the closed form") {
     // A ball of mass 2 on the ground, overlap 1 cm, falling at 0.5 m/s, no impulse before; static softness:
     // x = -m (mass_scale v + bias) with the bias max(mass_scale bias_rate s, -3).
-    BodyStore bodies;
-    const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
-    const BodyId ball = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
-    bodies.solver_bodies[1].velocity = {0.0f, -0.5f};
-    const std::vector<Contact> contacts{make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, -0.01f)};
-    ConstraintGraph graph;
-    graph.build(contacts, bodies);
-    std::vector<ContactBlock> blocks;
-    std::vector<ContactExtras> extras;
-    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
-    REQUIRE(blocks.size() == 1);
+    auto [bodies, contacts, graph, blocks, extras] = make_ball_on_ground(-0.01f, -0.5f);
     solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
     const double a1 = 2.0 * 10.0 + h * omega, a2 = h * omega * a1, mass_scale = a2 / (1.0 + a2);
@@ -160,17 +172,8 @@ TEST_CASE("a soft contact takes back less of its carried impulse and more of its
     const double a2 = h * omega * (2.0 * 10.0 + h * omega), a3 = 1.0 / (1.0 + a2), before = 3.0;
     for (const bool is_carried : {true, false}) {
         CAPTURE(is_carried);
-        BodyStore bodies;
-        const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
-        const BodyId ball = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
-        std::vector<Contact> contacts{make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, 0.0f)};
-        contacts[0].impulses[0].normal = is_carried ? static_cast<float>(before) : 0.0f;
-        ConstraintGraph graph;
-        graph.build(contacts, bodies);
-        std::vector<ContactBlock> blocks;
-        std::vector<ContactExtras> extras;
-        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
-        REQUIRE(blocks.size() == 1);
+        auto [bodies, contacts, graph, blocks, extras] =
+            make_ball_on_ground(0.0f, 0.0f, is_carried ? static_cast<float>(before) : 0.0f);
         blocks[0].points[0].normal_impulse[0] = static_cast<float>(before);
         solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
         const double kept = before * (1.0 - (is_carried ? 0.5 : 4.0) * a3);
@@ -182,16 +185,7 @@ TEST_CASE("a soft contact takes back less of its carried impulse and more of its
 TEST_CASE("a body that friction alone has pushed counts as pushed") {
     for (const float tangent : {0.0f, -0.5f}) {
         CAPTURE(tangent);
-        BodyStore bodies;
-        const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
-        const BodyId ball = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
-        std::vector<Contact> contacts{make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, 0.01f)};
-        ConstraintGraph graph;
-        graph.build(contacts, bodies);
-        std::vector<ContactBlock> blocks;
-        std::vector<ContactExtras> extras;
-        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
-        REQUIRE(blocks.size() == 1);
+        auto [bodies, contacts, graph, blocks, extras] = make_ball_on_ground(0.01f);
         blocks[0].points[0].applied_tangent[0] = tangent;
         store_impulses(blocks, graph, contacts, bodies.solver_bodies, crew);
         CHECK(contacts[0].applied[0].tangent == tangent);
