@@ -56,7 +56,6 @@ struct WorldLimits {
     float push_out_speed = 0.0f;     // m/s: the largest speed at which overlapping shapes are pushed apart
     float contact_hertz = 0.0f;      // Hz: of the soft constraint of a contact point, on its effective mass
     float static_stiffening = 0.0f;  // the factor of that frequency in contacts with static and kinematic bodies
-    float sag_part = 0.0f;           // the part of a contact's sag under a constant load that remains
     float stiffest_spring = 0.0f;    // Hz: the largest frequency of joint springs
 };
 

@@ -223,7 +223,7 @@ void find_pairs(Simulation& simulation) {
     end_contacts(simulation);
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
-    simulation.contacts.add(new_pairs, simulation.shapes, simulation.settings.tuning);
+    simulation.contacts.add(new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
 }

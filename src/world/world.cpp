@@ -35,11 +35,7 @@ StepCounters World::Impl::count() const {
     return counters_now;
 }
 
-void World::Impl::apply_settings() {
-    simulation.settings = {
-        def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping, def.continuous, def.joints,
-        def.impacts, make_tuning(def.scale)};
-}
+void World::Impl::apply_settings() { simulation.settings = make_settings(def); }
 
 World::World(const WorldDef& def) {
     check(def);
@@ -61,7 +57,8 @@ void World::set_threads(const Threads& threads) {
 
 void World::set_gravity(Vec2 gravity) {
     check_action(gravity, "gravity");
-    impl_->def.gravity = impl_->simulation.settings.gravity = gravity;
+    impl_->def.gravity = gravity;
+    impl_->apply_settings();
     for (const BodyId id : impl_->simulation.bodies.ids.live()) wake(impl_->simulation, id.index);
 }
 

@@ -6,8 +6,8 @@
 namespace tumble {
 
 WorldLimits world_limits(const WorldDef& def) {
-    const Tuning tuning = make_tuning(def.scale);
-    const float h = 1.0f / def.steps_per_second / static_cast<float>(def.substeps);
+    const float duration = 1.0f / def.steps_per_second, h = duration / static_cast<float>(def.substeps);
+    const Tuning tuning = make_tuning(def.scale, def.gravity, duration);
     return {.rest_speed = tuning.sleep_speed,
             .time_to_sleep = tuning.time_to_sleep,
             .max_speed = tuning.max_speed,
@@ -15,7 +15,6 @@ WorldLimits world_limits(const WorldDef& def) {
             .push_out_speed = tuning.push_out_speed,
             .contact_hertz = contact_hertz(tuning, h),
             .static_stiffening = kStaticStiffening,
-            .sag_part = kCarriedSoftness,
             .stiffest_spring = stiffest_spring(h)};
 }
 

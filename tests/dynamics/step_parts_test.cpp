@@ -26,7 +26,8 @@ TEST_CASE("softness is the implicit damped spring") {
 }
 
 TEST_CASE("the frequency of softness is limited by the sub-step") {
-    CHECK(contact_softness({}, 1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
+    CHECK(near(contact_softness({}, 1.0f / 60.0f).bias_rate,
+               double{make_softness(10.65f, 8.0f, 1.0f / 60.0f).bias_rate}, kFloat));
     CHECK(joint_softness({}, 1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
 }
 
@@ -45,6 +46,14 @@ TEST_CASE("the speculative distance and the margin of a box grow with the body u
     CHECK(tuning.speculative_distance(5.0f) == 0.02f);
     CHECK(near(tuning.aabb_margin(0.08f), 0.01, kFloat));
     CHECK(tuning.aabb_margin(5.0f) == 0.05f);
+}
+
+TEST_CASE("a contact begins at no less than the gap that gravity closes in a step, up to the limit") {
+    const Tuning tuning = make_tuning(1.0f, {0.0f, -10.0f}, 1.0f / 60.0f);
+    CHECK(near(tuning.contact_distance(0.002f), 10.0 / 3600.0, kFloat));
+    CHECK(near(tuning.contact_distance(0.1f), 0.01, kFloat));
+    CHECK(make_tuning(1.0f, {0.0f, -10.0f}, 0.1f).contact_distance(0.002f) == 0.02f);
+    CHECK(near(make_tuning(0.1f, {6.0f, -8.0f}, 0.1f).contact_distance(1e-4f), 0.002, kFloat));
 }
 
 TEST_CASE("a recycled manifold moves with the bodies") {

@@ -91,7 +91,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"rapidjson", {"tools"}},
     {"libfccp", {"tools"}},
     {"CLI", {"tools"}},
-    {"xxhash.h", {"world", "scene", "tools", "sweep"}},
+    {"xxhash.h", {"dynamics", "world", "scene", "tools", "sweep"}},
     {"hdf5.h", {"sweep"}},
     {"box2d", {"reference"}},
     {"gmp.h", {"reference"}},

@@ -16,8 +16,8 @@ RECIPES = {
     "juggling": (dict(count=32, generations=6, episodes=2, inputs="next_x"), 300, 150),
     "lunar_lander": (dict(seed=2, count=64, generations=20, episodes=3,
                           inputs="x height x_speed y_speed tilt turning"), 90, -100),
-    "pusher": (dict(count=64, generations=12, episodes=4, inputs="to_crate_x to_crate_y to_goal_x to_goal_y"), 18, 0),
-    "stacking": (dict(seed=2, count=160, generations=12, episodes=4, inputs="base_x across x y"), 11, 0),
+    "pusher": (dict(count=128, generations=20, episodes=4, inputs="to_crate_x to_crate_y to_goal_x to_goal_y"), 18, 0),
+    "stacking": (dict(seed=16, count=160, generations=20, episodes=8, inputs="base_x across x y"), 11, 0),
 }  # fmt: skip
 
 

@@ -60,7 +60,7 @@ TEST_CASE("in order: 49 bodies stay in a closed box at high gravity, low rates a
                 CAPTURE(gravity);
                 CAPTURE(substeps);
                 const WorldDef def{.gravity = {0.0f, -gravity}, .steps_per_second = rate, .substeps = substeps};
-                for (int i = 0; i < 6; ++i) {
+                for (const int i : {0, 1, 2, 3, 4, 5, 56, 100}) {  // at 56 and 100 a disc turns while it sinks in
                     CAPTURE(i);
                     CHECK(farthest_in_box(def, BodyType::static_body, {}, 1e-4 * i) <= 5.0);
                 }

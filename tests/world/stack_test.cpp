@@ -33,7 +33,7 @@ TEST_CASE("dominoes fall in order, all of them") {
     CHECK(std::adjacent_find(fallen_at.begin(), fallen_at.end()) == fallen_at.end());
 }
 
-TEST_CASE("overlapping bodies are pushed apart at 3 m/s at most") {
+TEST_CASE("overlapping bodies are pushed apart at 2.5 m/s at most") {
     World world = weightless();
     const BodyId left = add_dynamic(world, {-0.2, 0.0}, make_box({1.0f, 1.0f}));
     const BodyId right = add_dynamic(world, {0.2, 0.0}, make_box({1.0f, 1.0f}));
@@ -41,12 +41,13 @@ TEST_CASE("overlapping bodies are pushed apart at 3 m/s at most") {
     for (int step = 0; step < 30; ++step) {
         world.step();
         const double now = world.state(right).pose.position.x - world.state(left).pose.position.x;
-        CHECK(now - before <= 3.0 / 60.0 + 1e-6);
+        CHECK(now - before <= 2.5 / 60.0 + 1e-6);
         fastest = std::max(fastest, 60.0 * (now - before));
         before = now;
     }
-    // The spring alone would push by 9 / s of 0.6 m; a soft contact reaches its mass scale, 0.94, of its bias velocity.
-    CHECK(fastest > 0.94 * 3.0);
+    // The spring alone would push by 15.6 / s of 0.6 m; a soft contact reaches its mass scale, 0.95, of its bias
+    // velocity.
+    CHECK(fastest > 0.95 * 2.5);
     CHECK(before > 0.9);
     CHECK(world.state(right).velocity.x - world.state(left).velocity.x < 0.1f);  // no speed remains
 }

@@ -53,6 +53,7 @@ struct BodyRecord {
     std::vector<ShapeId> shapes;       // in order of creation
     std::vector<JointId> joints;       // in order of creation
     std::uint64_t user_data = 0;
+    std::uint32_t color_seed = 0;  // of the next draw of its contacts (contacts/make_contact.hpp)
 };
 
 // How far a body moves in a step if nothing acts on it but forces.

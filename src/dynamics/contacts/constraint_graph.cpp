@@ -14,7 +14,8 @@ constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicCo
 
 }  // namespace
 
-// The lowest colour that neither dynamic body has. Static and kinematic bodies may have several contacts of a colour.
+// The lowest colour that neither dynamic body has, after those that the contact skips. Static and kinematic bodies may
+// have several contacts of a colour.
 std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodyStore& bodies) {
     const bool dynamic_a = bodies.is_dynamic(contact.body_a), dynamic_b = bodies.is_dynamic(contact.body_b);
     TUMBLE_CHECK((dynamic_a || dynamic_b));
@@ -25,6 +26,7 @@ std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodySto
     std::uint32_t free = dynamic_a && dynamic_b ? kDynamicMask : kStaticMask;
     if (dynamic_a) free &= ~*used_a;
     if (dynamic_b) free &= ~*used_b;
+    for (unsigned i = 0; i < contact.skipped_colors && !std::has_single_bit(free) && free != 0; ++i) free &= free - 1;
     const int color = free == 0 ? kNoColor : std::countr_zero(free);
     TUMBLE_CHECK(color <= kColors);
     if (dynamic_a) *used_a |= 1u << color;

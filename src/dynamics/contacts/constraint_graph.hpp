@@ -1,8 +1,10 @@
 // Colours of contacts: no two contacts of a colour share a dynamic body, so that solving eight of them side by side in
 // lanes gives the same result as one after the other.
 //
-// The colouring is greedy in the order of contacts, and new in each step. It costs a few nanoseconds per contact, and
-// the order of solving depends on the present contacts only, not on their history.
+// The colouring is greedy in the order of contacts, and new in each step. It costs a few nanoseconds per contact. A
+// contact between dynamic bodies skips 0 to 3 free colours, a number that it draws when it begins. Without it the order
+// of solving follows the order of the shapes: a pass carries impulses through a pile in one direction only, and large
+// piles take up to twice as long to fall asleep.
 #pragma once
 
 #include <cstdint>

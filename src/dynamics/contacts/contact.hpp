@@ -51,10 +51,11 @@ struct alignas(64) Contact {
     // The manifold point that may report a hit, or -1: the deepest point of a contact that begins, or the deepest one
     // without an impulse if the shapes touched before.
     std::int8_t watched = -1;
-    bool was_hit = false;  // a hit was reported in the last step
+    bool was_hit = false;             // a hit was reported in the last step
+    std::uint8_t skipped_colors = 0;  // of the free colours of the constraint graph, drawn when the contact began
 
     Manifold manifold;                  // from A to B; anchors from the bodies' origins
-    float speculative_distance = 0.0f;  // m; this and the next are mixed from the two shapes when the pair is found
+    float speculative_distance = 0.0f;  // m; set when the pair is found
 
     float radius_a = 0.0f;  // of the shapes' rounding, m
     float radius_b = 0.0f;
@@ -72,7 +73,7 @@ struct alignas(64) Contact {
               self.kind, self.chain_state, self.is_new, self.is_bouncing, self.is_struck, self.is_touching,
               self.was_touching, self.watched, self.was_hit, self.approach, self.reference, self.cache,
               self.speculative_distance, self.radius_a, self.radius_b, self.friction, self.restitution,
-              self.rolling_resistance, self.tangent_speed);
+              self.rolling_resistance, self.tangent_speed, self.skipped_colors);
     }
 };
 

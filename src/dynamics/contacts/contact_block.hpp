@@ -34,7 +34,6 @@ struct ContactBlockPoint {
     Lanes tangent_impulse;
     Lanes applied_tangent;
     Lanes tangent_mass;
-    Lanes carried;  // the normal impulse at the start of the step, N s
 };
 
 inline constexpr std::uint8_t kAllLanes = 0xff;

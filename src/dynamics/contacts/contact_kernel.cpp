@@ -1,21 +1,11 @@
 // The contact kernels: projected Gauss-Seidel over blocks of eight contacts, soft in the pass with bias, otherwise
 // rigid.
-#include <algorithm>
-
 #include "debug/check.hpp"
 #include "dynamics/contacts/contact_normals.hpp"
 
 namespace tumble {
 
 namespace {
-
-// The part of its impulse that a soft contact keeps (../SOFTNESS.md, section 3). Sub-steps shorter than 0.8 ms would
-// take back more than all of the fresh part, so that it is limited.
-TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
-    const float back = block.softness.impulse_scale, fresh_back = std::min(kFreshSoftness * back, 1.0f);
-    const float keeps_fresh = 1.0f - fresh_back, keeps_more_carried = fresh_back - kCarriedSoftness * back;
-    return keeps_fresh * point.normal_impulse + keeps_more_carried * smaller(point.carried, point.normal_impulse);
-}
 
 // A gap is speculative: the row is rigid and lets the gap close within the sub-step. Overlap is removed by an implicit
 // spring and damper, whose mass scale divides the diagonal, at most at the push-out speed.
@@ -30,7 +20,8 @@ TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const Co
     const Lanes bias = gap * inv_h + larger(overlap * block.softness.bias_rate, Lanes::Constant(-max_push));
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
     const Lanes diagonal = select_less(zero, separation, point.inverse_mass, soft);
-    const Lanes kept = select_less(zero, separation, point.normal_impulse, kept_impulse(block, point));
+    const Lanes softened = (1.0f - block.softness.impulse_scale) * point.normal_impulse;
+    const Lanes kept = select_less(zero, separation, point.normal_impulse, softened);
     return {diagonal, normal_velocity(point, state) + bias - diagonal * kept};
 }
 

@@ -22,7 +22,7 @@ ContactBlock make_neutral_block() {
         *lanes = zero;
     for (ContactBlockPoint& point : block.points) {
         for (Lanes* lanes :
-             {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse, &point.carried,
+             {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse,
               &point.tangent_mass, &point.tangent_impulse, &point.applied_normal, &point.applied_tangent})
             *lanes = zero;
         point.separation = Lanes::Constant(kAbsentGap);
@@ -74,7 +74,7 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
         to.along_b[lane] = dot(arm_b, normal);
         to.across_b[lane] = cross(arm_b, normal);
         to.separation[lane] = from.separation;
-        to.normal_impulse[lane] = to.carried[lane] = contact.impulses[i].normal;
+        to.normal_impulse[lane] = contact.impulses[i].normal;
         to.tangent_impulse[lane] = contact.impulses[i].tangent;
     }
 }

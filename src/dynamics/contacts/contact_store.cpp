@@ -19,10 +19,15 @@ auto* find_in(Contacts& contacts, ProxyPair pair) {
 Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
 const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
 
-void ContactStore::add(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning) {
+void ContactStore::add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
+                       const Tuning& tuning) {
     insert(
         new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
-        [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
+        [&](std::size_t i) {
+            Contact contact = make_contact(new_pairs[i], shapes, tuning);
+            draw_colors(contact, bodies);
+            return contact;
+        });
 }
 
 // Moves the contacts between two removed ones together.

@@ -16,7 +16,8 @@ namespace tumble {
 class ContactStore {
 public:
     // Adds a contact for each new pair. `new_pairs` is sorted and contains no pair of all().
-    void add(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning);
+    void add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
+             const Tuning& tuning);
 
     // Removes contacts by their indices, which ascend.
     void remove(const ChunkLists<std::uint32_t>& indices);
@@ -45,7 +46,7 @@ public:
 
 private:
     // Inserts `count` contacts in order, from the back and without a second buffer. pair_of(i) ascends, and make(i) is
-    // the contact of that pair.
+    // the contact of that pair: called once for each i, in descending order, on which the draws of colours depend.
     template <class PairOf, class Make>
     void insert(std::size_t count, PairOf&& pair_of, Make&& make);
 

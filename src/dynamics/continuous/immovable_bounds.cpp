@@ -23,7 +23,6 @@ constexpr float kBoundCore = 0.5f;
 // A core that overlaps already gives way to the largest one that is out, found to this part of the shape's thickness.
 // Larger: a body that is pressed into the ground creeps in.
 constexpr double kCoreTolerance = 1e-4;
-constexpr int kMaxTries = 8;
 
 // The overlap at which the core touches, as a part of the shape's thickness. A body that moves by less than this part
 // of its smallest extent, and has sunk in by less, needs no bound in this step.
@@ -63,6 +62,7 @@ private:
         double fraction = 1.0;
         DVec2 point, normal;      // world; the normal is unit, from the immovable shape
         std::uint32_t other = 0;  // that shape
+        bool is_middle = false;   // the core that touches is the middle point
     };
 
     // Bounds a motion between two times, fractions of the step. True if the body stops.
@@ -102,39 +102,32 @@ private:
         if (immovable.link &&
             is_behind(immovable.shape, *immovable.link, pose_at(sweep, 0.0), shape.shape, pose_at(sweep_, 0.0)))
             return;
-        CastResult hit = time_of_impact(immovable.shape, sweep, core_of(shape, kBoundCore), sweep_);
-        if (hit.status == CastStatus::overlapping)
-            hit = time_of_impact(immovable.shape, sweep, core_of(shape, part_outside(shape, immovable, sweep)), sweep_);
-        take(hit, other);
+        float part = kBoundCore;
+        CastResult hit = time_of_impact(immovable.shape, sweep, core_of(shape, part), sweep_);
+        if (hit.status == CastStatus::overlapping) {
+            part = part_outside(shape, immovable, sweep);
+            hit = time_of_impact(immovable.shape, sweep, core_of(shape, part), sweep_);
+        }
+        take(hit, other, part == 0.0f);
     }
 
-    // The part of the largest core of the shape that is out of the other one when the motion begins, by regula falsi; 0
-    // if there is none.
+    // The part of the largest core of the shape that is out of the other one when the motion begins, by bisection; 0 if
+    // there is none. A core that is out by rounding alone would overlap in the search.
     float part_outside(const ShapeRecord& shape, const ShapeRecord& immovable, const Sweep& sweep) const {
         const Pose pose = pose_at(sweep_, 0.0), other_pose = pose_at(sweep, 0.0);
-        const auto separation = [&](float part) {
-            return distance(immovable.shape, other_pose, core_of(shape, part), pose).distance;
-        };
+        const double least = 0.5 * kCoreTolerance * static_cast<double>(shape.smaller_extent);
         float out = 0.0f, in = kBoundCore;
-        double gap = separation(out), depth = std::max(-separation(in), 0.0);  // the rounded pose may be out
-        const double tolerance = kCoreTolerance * static_cast<double>(shape.smaller_extent);
-        for (int tries = 0; tries < kMaxTries && gap > tolerance; ++tries) {
-            const float part = out + static_cast<float>((gap - 0.5 * tolerance) / (gap + depth)) * (in - out);
-            const double found = separation(part);
-            if (found > 0.0) {
-                out = part;
-                gap = found;
-            } else {
-                in = part;
-                depth = -found;
-            }
+        while (static_cast<double>(in - out) > kCoreTolerance) {
+            const float part = 0.5f * (out + in);
+            const DistanceResult found = distance(immovable.shape, other_pose, core_of(shape, part), pose);
+            (static_cast<double>(found.distance) > least ? out : in) = part;
         }
         return out;
     }
 
-    void take(const CastResult& hit, std::uint32_t other) {
+    void take(const CastResult& hit, std::uint32_t other, bool is_middle) {
         if (hit.status == CastStatus::hit && std::tie(hit.fraction, other) < std::tie(first_.fraction, first_.other))
-            first_ = {hit.fraction, hit.point, hit.normal, other};
+            first_ = {hit.fraction, hit.point, hit.normal, other, is_middle};
     }
 
     // True if the body moves as the shape that it meets, up to rounding: it touches that all the time.
@@ -142,8 +135,11 @@ private:
         const double time = from_ + first_.fraction * (to_ - from_);
         const DVec2 chord = sweep_.end - sweep_.start, arm = first_.point - (sweep_.start + first_.fraction * chord);
         const DVec2 path = chord + sweep_.turn * perp(arm) - (to_ - from_) * surface_path(time);
-        const float extent = simulation_.bodies.records[body_].motion.smallest_extent;
-        return std::abs(dot(path, first_.normal)) <= kCoreTolerance * static_cast<double>(extent);
+        return std::abs(dot(path, first_.normal)) <= tolerance();
+    }
+
+    double tolerance() const {  // m
+        return kCoreTolerance * static_cast<double>(simulation_.bodies.records[body_].motion.smallest_extent);
     }
 
     // The body stays where it stops, but is taken along the normal by a kinematic body.
@@ -155,13 +151,20 @@ private:
         to_ = 1.0;
         sweep_.end = sweep_.start + first_.fraction * (sweep_.end - sweep_.start) +
                      DVec2(allowed(moved_.flags, to_float(taken)));
-        sweep_.turn *= first_.fraction;
+        if (is_last || !turns_on()) sweep_.turn *= first_.fraction;
         const BodyFrame& frame = simulation_.bodies.frames[body_];
         moved_.delta_position = to_float(sweep_.end - frame.center);
         moved_.delta_rotation = make_rotation(sweep_.start_angle + sweep_.turn - angle(frame.pose.rotation));
         const double speed =
             dot(DVec2(moved_.velocity), first_.normal) - along / static_cast<double>(simulation_.settings.duration);
         if (speed < 0.0) moved_.velocity -= allowed(moved_.flags, to_float(speed * first_.normal));
+    }
+
+    // True if the rotation leaves the touching point where it is: the middle of a shape that is half inside. To stop
+    // that rotation too would hold a body that spins there for ever.
+    bool turns_on() const {
+        const DVec2 arm = first_.point - (sweep_.start + first_.fraction * (sweep_.end - sweep_.start));
+        return first_.is_middle && length(sweep_.turn * arm) <= tolerance();
     }
 
     // The velocity of the immovable shape's point at a time, times the whole step, m.
@@ -179,12 +182,15 @@ private:
     Stop first_;
 };
 
-// True if the moving shape of a ground contact has sunk into the ground.
+// True if the moving shape of a ground contact has sunk into the ground when the step begins or ends: the point of a
+// disc that rotates leaves the ground though the disc does not.
 bool is_sunk(const Simulation& simulation, GroundContact ground) {
     const Contact& contact = simulation.contacts.all()[ground.contact];
     const float depth = kBoundPart * simulation.shapes[ground.moving_shape].smaller_extent;
-    for (int i = 0; i < contact.manifold.point_count; ++i)
-        if (separation_at_end(contact, contact.manifold.points[i], simulation.bodies) < -depth) return true;
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& point = contact.manifold.points[i];
+        if (std::min(point.separation, separation_at_end(contact, point, simulation.bodies)) < -depth) return true;
+    }
     return false;
 }
 

@@ -232,16 +232,14 @@ private:
         const double threshold = std::max(least, bounce_threshold(simulation_, contact));
         const bool is_bound = is_with_immovable(contact.body_a, contact.body_b);
         if (!is_bound && !may_be_approached(contact, threshold)) return;
-        const std::size_t a = member(contact.body_a), b = member(contact.body_b);
-        const std::size_t before = group_.points.size();
+        const std::size_t a = member(contact.body_a), b = member(contact.body_b), before = group_.points.size();
         bool takes_part = false;
         for (int i = 0; i < contact.manifold.point_count; ++i)
             if (add_touching_point(contact, contact.manifold.points[i], a, b)) {
                 scratch_.group_points.back().manifold_point = i;
                 takes_part |= is_approached(group_.points.back(), threshold, is_bound);
             }
-        if (takes_part) return;
-        forget_points(before);
+        if (!takes_part) forget_points(before);
     }
 
     // A quick test, which adds no members. The arms are those of the start of the step.
@@ -266,14 +264,24 @@ private:
         return member.velocity + member.change;
     }
 
+    // The largest gap of a point that takes part. Without a bounce it may close in the rest of the step: otherwise a
+    // stack that lands has too many impacts for a step, and ten boxes that fall by 5 m rebound at 7 m/s.
+    double largest_gap(const Contact& contact, const ImpactPoint& point) const {
+        const float touching = touching_distance(contact);
+        if (contact.restitution > 0.0f || has_joints(contact.body_a) || has_joints(contact.body_b)) return touching;
+        const double closed = -approach_at_impact(group_, point) * (1.0 - impact_.time) * duration_;
+        return std::clamp<double>(closed, touching, contact.speculative_distance);
+    }
+
     // From the manifold that the contact had when the step began, with anchors that moved with the bodies.
     bool add_touching_point(const Contact& contact, const ManifoldPoint& point, std::size_t a, std::size_t b) {
         const DVec2 normal(contact.manifold.normal);
         const Arm arm_a = arm(contact.body_a, a, point.anchor_a), arm_b = arm(contact.body_b, b, point.anchor_b);
         const double separation = static_cast<double>(point.separation) + dot(arm_b.shift - arm_a.shift, normal);
-        if (separation > static_cast<double>(touching_distance(contact))) return false;
         add_point(contact, a, b, normal, arm_a.now, arm_b.now, separation);
-        return true;
+        if (separation <= largest_gap(contact, group_.points.back())) return true;
+        forget_points(group_.points.size() - 1);
+        return false;
     }
 
     struct Arm {

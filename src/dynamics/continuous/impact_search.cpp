@@ -39,12 +39,12 @@ bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
                                            kContinuousPart * motion.smallest_extent;
 }
 
-// True if the solver has left two bodies with an overlap, although their points moved by more than `least` (m) against
-// each other.
-bool is_left_overlapping(const Contact& contact, float least, const BodyStore& bodies) {
+// True if the solver has left two bodies with an overlap of more than `deep` (m), although their points moved by more
+// than `least` (m) against each other.
+bool is_left_overlapping(const Contact& contact, float deep, float least, const BodyStore& bodies) {
     for (int i = 0; i < contact.manifold.point_count; ++i) {
         const ManifoldPoint& point = contact.manifold.points[i];
-        if (separation_at_end(contact, point, bodies) < -contact.speculative_distance &&
+        if (separation_at_end(contact, point, bodies) < -deep &&
             length_sq(relative_shift(contact, point, bodies)) > least * least)
             return true;
     }
@@ -279,7 +279,10 @@ bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
     if (!simulation.settings.continuous || contact.manifold.point_count == 0 || !has_far_body(simulation, contact))
         return false;
     const float least = least_displacement(simulation, contact.shapes.a, contact.shapes.b);
-    return is_left_overlapping(contact, least, simulation.bodies);
+    const ShapeStore& shapes = simulation.shapes;
+    const float extent = smaller_extent(shapes[contact.shapes.a], shapes[contact.shapes.b]);
+    const float deep = simulation.settings.tuning.speculative_distance(extent);
+    return is_left_overlapping(contact, deep, least, simulation.bodies);
 }
 
 void sweep_on_course(Simulation& simulation, std::uint32_t body) { sweep_body(simulation, body); }

@@ -39,6 +39,12 @@ struct StepSettings {
     bool orders_impacts() const { return impacts == ImpactModel::in_order; }
 };
 
+inline StepSettings make_settings(const WorldDef& def) {
+    const float duration = 1.0f / def.steps_per_second;
+    return {def.gravity,    duration,   def.substeps, def.sleeping,
+            def.continuous, def.joints, def.impacts,  make_tuning(def.scale, def.gravity, duration)};
+}
+
 // All that decides the future of a world, and the events of its last step: what a snapshot contains.
 //
 // A plain aggregate, and the only list of these members. Snapshots and count_memory() find them through the compiler

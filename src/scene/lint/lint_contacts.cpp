@@ -171,7 +171,7 @@ private:
             if (!is_dynamic(i)) continue;
             const double share = load[i] / static_cast<double>(below[i].size());
             for (const Support& under : below[i]) {
-                const double with_it = result.sunk[under.body] + double{limits_.sag_part} * share / under.stiffness;
+                const double with_it = result.sunk[under.body] + share / under.stiffness;
                 if (with_it > result.sunk[i]) result.softest[i] = under.body;
                 result.sunk[i] = std::max(result.sunk[i], with_it);
             }
