@@ -41,14 +41,17 @@ Contact make_touching(BodyId a, BodyId b, Vec2 normal, Vec2 arm_a, Vec2 arm_b, f
     return contact;
 }
 
-// Random bodies and random one-point contacts between them, some against a static body.
-struct Tangle {
+// What the contact solver works on.
+struct SolverParts {
     BodyStore bodies;
     std::vector<Contact> contacts;
     ConstraintGraph graph;
     std::vector<ContactBlock> blocks;
     std::vector<ContactExtras> extras;
+};
 
+// Random bodies and random one-point contacts between them, some against a static body.
+struct Tangle : SolverParts {
     Tangle(unsigned seed, int body_count, int contact_count) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> value(-1.0f, 1.0f);
@@ -84,16 +87,8 @@ double normal_speed(const Tangle& tangle, const Contact& contact) {
 }
 
 // A ball of mass 2 above static ground, with the block of their contact.
-struct BallOnGround {
-    BodyStore bodies;
-    std::vector<Contact> contacts;
-    ConstraintGraph graph;
-    std::vector<ContactBlock> blocks;
-    std::vector<ContactExtras> extras;
-};
-
-BallOnGround make_ball_on_ground(float separation, float speed = 0.0f, float impulse = 0.0f) {
-    BallOnGround made;
+SolverParts make_ball_on_ground(float separation, float speed = 0.0f, float impulse = 0.0f) {
+    SolverParts made;
     const BodyId ground = add_body(made.bodies, BodyType::static_body, {}, 0.0f, 0.0f);
     const BodyId ball = add_body(made.bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
     made.bodies.solver_bodies[1].velocity = {0.0f, speed};
