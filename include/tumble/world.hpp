@@ -297,9 +297,9 @@ public:
     // What began, ended, broke and fell asleep in the last step. Valid until the next step.
     const StepEvents& events() const noexcept;
 
-    // The contact points after the last step in order of shape ids, those of sleeping bodies too. Separations and
-    // normals are those at the start of the step, points have moved with A, impulses are sums over the step.
-    // O(contacts).
+    // The contact points after the last step in order of shape ids, also of sleeping bodies and of shapes that touched
+    // only within the step. Separations and normals are those at the start of the step, points have moved with A,
+    // impulses are sums over the step. O(contacts).
     std::vector<ContactPoint> contacts() const;
     std::vector<ContactPoint> contacts(BodyId id) const;  // of one body
 

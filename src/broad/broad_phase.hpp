@@ -54,7 +54,8 @@ public:
     template <class Accept>
     const std::vector<ProxyPair>& find_new_pairs(Accept&& accept, Crew& crew);
 
-    // The pairs found so far and not removed.
+    // The pairs found or added so far and not removed. An added pair is not found again; its boxes may be apart.
+    void add_pair(ProxyPair pair) { pairs_.insert(pair); }
     void remove_pair(ProxyPair pair) { pairs_.erase(pair); }
     bool has_pair(ProxyPair pair) const { return pairs_.contains(pair); }
     std::size_t pair_count() const { return pairs_.size(); }

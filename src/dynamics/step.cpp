@@ -140,7 +140,7 @@ void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMo
 void begin_step(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     if (simulation.settings.orders_impacts()) cover_free_motions(simulation);
-    find_pairs(simulation);
+    find_pairs(simulation, WhichEnd::apart);
     clock.stop(ms.pairs);
     simulation.report.collided = {};
     collide_pairs(simulation);
@@ -171,7 +171,7 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
     if (find_diverged(simulation.bodies) != kNoBody) return false;
     update_proxies(simulation);
     clock.stop(ms.proxies);
-    find_pairs(simulation);
+    find_pairs(simulation, WhichEnd::apart_all_step);
     clock.stop(ms.pairs);
     report_events(simulation);
     clock.stop(ms.events);
@@ -217,10 +217,10 @@ void cover_free_motions(Simulation& simulation) {
 // Runs twice in a step: for the caller's changes before it, and after the motion, so that the step reports each sensor
 // that a body entered in it.
 // New pairs begin, and pairs end, only where a box has moved.
-void find_pairs(Simulation& simulation) {
+void find_pairs(Simulation& simulation, WhichEnd which) {
     simulation.contacts.merge_woken();
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
-    end_contacts(simulation);
+    end_contacts(simulation, which);
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
     simulation.contacts.add(new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
@@ -229,15 +229,16 @@ void find_pairs(Simulation& simulation) {
 }
 
 // Removes the contacts whose boxes are apart, and those that a change since the last step does not allow.
-void end_contacts(Simulation& simulation) {
+void end_contacts(Simulation& simulation, WhichEnd which) {
     std::vector<Contact>& contacts = simulation.contacts.all();
     ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
     const bool may_end_all = may_end_anywhere(simulation);
     const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
         const ProxyPair shapes = contacts[i].shapes;
         if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
-        const bool keep =
-            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
+        const bool has_touched = which == WhichEnd::apart_all_step && contacts[i].is_touching;
+        const bool keep = (has_touched || simulation.broad.overlap(shapes)) &&
+                          !(simulation.filters_changed && !may_collide(simulation, shapes));
         if (!keep) found.push_back(static_cast<std::uint32_t>(i));
     };
     ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
@@ -257,7 +258,7 @@ void collide_pairs(Simulation& simulation) {
 // Touched bodies wake before they are solved, and may touch others that sleep.
 void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
-        find_pairs(simulation);
+        find_pairs(simulation, WhichEnd::apart);
         collide_all(simulation, [](const Contact& contact) { return contact.is_new; });
     }
 }

@@ -4,6 +4,8 @@
 // each constraint once with a soft bias and once without.
 #pragma once
 
+#include <cstdint>
+
 namespace tumble {
 
 struct Simulation;
@@ -12,11 +14,15 @@ struct Simulation;
 // skipped, and the simulation cannot go on.
 void step(Simulation& simulation);
 
+// Which contacts end if their boxes are apart: all of them, or those that have not touched in this step. The rest shows
+// the impulses of the step, and ends in the next one.
+enum class WhichEnd : std::uint8_t { apart, apart_all_step };
+
 // Stages of step(), in order; those of dynamics/stages and dynamics/continuous come between. README.md has the whole
 // list.
 void cover_free_motions(Simulation& simulation);
-void find_pairs(Simulation& simulation);
-void end_contacts(Simulation& simulation);
+void find_pairs(Simulation& simulation, WhichEnd which);
+void end_contacts(Simulation& simulation, WhichEnd which);
 void collide_pairs(Simulation& simulation);
 void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);

@@ -161,3 +161,41 @@ TEST_CASE("in every step the change of momentum of each body is that of gravity 
     check_momentum_balance(ImpactModel::in_order);
     check_momentum_balance(ImpactModel::at_step_end);
 }
+
+TEST_CASE("the contacts of a step show all impacts of a fast ball, of shapes that are apart before and after it too") {
+    constexpr double kHalf = 5.0;  // m: of the room
+    const Shape wall = make_box({14.0f, 1.0f});
+    int several = 0;
+    for (const double speed : {5.0, 50.0, 200.0, 350.0})
+        for (int start = 0; start < 20; ++start) {
+            WorldDef def;
+            def.gravity = {};
+            World world(def);
+            for (int side = 0; side < 4; ++side) {
+                const double turn = 0.5 * kPi * side;
+                add_static(world, (kHalf + 0.5) * DVec2{std::sin(turn), -std::cos(turn)}, wall, {.friction = 0.3f},
+                           turn);
+            }
+            const BodyId ball =
+                add_dynamic(world, {0.3, -0.2}, make_circle(0.2f), {.friction = 0.3f, .restitution = 1.0f});
+            const double direction = 2.0 * kPi * (start + 0.37) / 20;
+            world.set_velocity(ball, to_float(speed * DVec2{std::cos(direction), std::sin(direction)}), 0.0f);
+            const double mass = double{world.mass(ball).mass};
+            for (int step = 0; step < 60; ++step) {
+                const DVec2 before(world.state(ball).velocity);
+                world.step();
+                DVec2 impulse;
+                std::vector<BodyId> walls;
+                for (const ContactPoint& point : world.contacts()) {
+                    impulse += (point.body_b == ball ? 1.0 : -1.0) * impulse_on_b(point);
+                    if (point.normal_impulse > 0.0f)
+                        walls.push_back(point.body_b == ball ? point.body_a : point.body_b);
+                }
+                several += walls.size() > 1;
+                const DVec2 gained = mass * (DVec2(world.state(ball).velocity) - before);
+                INFO("speed ", speed, " start ", start, " step ", step);
+                CHECK(length(gained - impulse) < 160.0 * kEpsilon * mass * speed * (1.0 + 2.0 * speed / 60.0));
+            }
+        }
+    CHECK(several > 10);  // walls in one step
+}

@@ -97,17 +97,6 @@ void begin_impacts(Simulation& simulation) {
     }
 }
 
-// Reports the impact of two shapes that have no contact: they are apart when the step starts and when it ends.
-void report_short_touch(Simulation& simulation, const Impact& impact) {
-    const ShapeId a = id_of(simulation.shapes, impact.shapes.a), b = id_of(simulation.shapes, impact.shapes.b);
-    const Approach& approach = impact.approach;
-    StepEvents& events = simulation.events;
-    events.contact_begins.push_back({a, b, approach.point, approach.normal, approach.speed});
-    if (approach.speed >= simulation.settings.tuning.hit_speed)
-        events.contact_hits.push_back({a, b, approach.point, approach.normal, approach.speed});
-    events.contact_ends.push_back({a, b});
-}
-
 bool has_acted(const Contact& contact) {
     const auto acts = [](const PointImpulse& impulse) { return impulse.normal != 0.0f || impulse.tangent != 0.0f; };
     return acts(contact.applied[0]) || acts(contact.applied[1]);
@@ -139,7 +128,7 @@ void show_impact(Contact& contact, Impact& impact) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
     TUMBLE_CHECK(contact.shapes.a == impact.shapes.a);
     TUMBLE_CHECK(contact.shapes.b == impact.shapes.b);
-    impact.is_reported = true;
+    impact.is_shown = true;
     if (impact.manifold.point_count == 0) return;
     if (contact.manifold.point_count == 0 || !has_acted(contact)) {
         contact.manifold = impact.manifold;
@@ -164,22 +153,26 @@ void report_sensor_crossings(Simulation& simulation) {
     }
 }
 
-// For an impact of shapes whose contact was made after show_impacts(), or that have no contact.
-void report_late(Simulation& simulation, Impact& impact) {
-    if (Contact* const contact = simulation.contacts.find(impact.shapes))
-        show_impact(*contact, impact);
-    else
-        report_short_touch(simulation, impact);
+// Adds a contact for each impact of shapes that have none: they are apart when the step starts and when it ends.
+void add_contacts_of_impacts(Simulation& simulation) {
+    std::vector<ProxyPair>& pairs = simulation.scratch->impacts;
+    pairs.clear();
+    for (const Impact& impact : simulation.scratch->ordered_impacts.impacts) {
+        if (simulation.broad.has_pair(impact.shapes)) continue;
+        simulation.broad.add_pair(impact.shapes);
+        pairs.push_back(impact.shapes);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    simulation.contacts.add(pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
 }
 
-void report_late_impacts(Simulation& simulation) {
+// The impacts of shapes that had no contact in show_impacts().
+void show_late_impacts(Simulation& simulation) {
     std::vector<Impact>& impacts = simulation.scratch->ordered_impacts.impacts;
-    std::erase_if(impacts, [](const Impact& impact) { return impact.is_reported; });
-    std::sort(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) {
-        return a.shapes != b.shapes ? a.shapes < b.shapes : a.approach.speed > b.approach.speed;
-    });
-    for (std::size_t i = 0; i < impacts.size(); ++i)
-        if (i == 0 || impacts[i].shapes != impacts[i - 1].shapes) report_late(simulation, impacts[i]);
+    std::erase_if(impacts, [](const Impact& impact) { return impact.is_shown || impact.manifold.point_count == 0; });
+    if (impacts.empty()) return;
+    add_contacts_of_impacts(simulation);
+    show_impacts(simulation);
 }
 
 // True if the contact is to be reported, or is a sensor's. Otherwise ends its step.
@@ -252,7 +245,7 @@ void report_removal(Simulation& simulation, Contact& contact) {
 
 void report_events(Simulation& simulation) {
     begin_impacts(simulation);
-    report_late_impacts(simulation);
+    show_late_impacts(simulation);
     find_changed_contacts(simulation);
     simulation.scratch->chunks.found.for_each(
         [&](std::uint32_t i) { report_change(simulation, simulation.contacts.all()[i]); });

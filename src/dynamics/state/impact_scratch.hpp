@@ -41,7 +41,7 @@ struct Impact {
     Manifold manifold;  // of the points that took part
     PointImpulse applied[2];
     int previous_of_a = -1, previous_of_b = -1;  // the impact before this one of the body of each shape; -1 for none
-    bool is_reported = false;
+    bool is_shown = false;                       // by a contact
 };
 
 // Where a point of an impact group comes from.

@@ -118,10 +118,11 @@ struct StepScratch {
     std::vector<JointId> sleeping_joints;
 
     // Continuous collision.
-    std::vector<FreeMotion> free_motions;         // by solver body, of those awake when the step began
-    std::vector<FastBody> fast_bodies;            // by body index
-    std::vector<std::uint32_t> near_shapes;       // indices
-    std::vector<ProxyPair> impacts;               // pairs whose impact stopped a body in this step, sorted
+    std::vector<FreeMotion> free_motions;    // by solver body, of those awake when the step began
+    std::vector<FastBody> fast_bodies;       // by body index
+    std::vector<std::uint32_t> near_shapes;  // indices
+    // Pairs whose impact stopped a body in this step, sorted; if impacts are in order, those that had no contact.
+    std::vector<ProxyPair> impacts;
     std::vector<StartVelocity> start_velocities;  // by solver body, if impacts are in order
     ImpactScratch ordered_impacts;
     std::vector<ProxyPair> sensor_crossings;  // candidates during the sweep, then those that were crossed, sorted

@@ -88,7 +88,7 @@ private:
                 if (a.id != b.id) gap_ = std::min(gap_, gap_between(world, a.id, b.id));
     }
 
-    // Bodies whose contact begins and ends within a step have touched in it.
+    // A body that enters and leaves a sensor within a step has touched it.
     bool is_touching() const { return touched_in_step_ || !touching_.empty(); }
 
     // With the names of the copies, if there are several.
