@@ -25,7 +25,8 @@ BodyId add_filtered(World& world, DVec2 position, const CollisionFilter& filter)
     return body;
 }
 
-// Tracks begins and ends, and fails on an end without a begin, or on a second begin.
+// Tracks begins and ends, and fails on an end without a begin, on a second begin, or on a hit of shapes that do not
+// touch.
 struct Ledger {
     std::set<std::pair<ShapeId, ShapeId>> touching;
     int begins = 0;
@@ -37,6 +38,8 @@ struct Ledger {
             CHECK(touching.insert({begin.shape_a, begin.shape_b}).second);
             ++begins;
         }
+        for (const ContactHit& hit : world.events().contact_hits)
+            CHECK(touching.count({hit.shape_a, hit.shape_b}) == 1);
         CHECK(std::is_sorted(world.events().contact_ends.begin(), world.events().contact_ends.end()));
     }
 };
@@ -125,6 +128,28 @@ TEST_CASE("in a heap every end event has its begin event, through sleep and dest
         if (point.separation <= 0.0f || point.normal_impulse > 0.0f) resting.insert({point.shape_a, point.shape_b});
     CHECK(ledger.touching == resting);
     CHECK(ledger.begins > 200);
+}
+
+// The upper box takes part in the impact of the lower one across the gap.
+TEST_CASE("when two boxes land, the upper one faster, no contact has a hit before it begins") {
+    for (int gap = 1; gap <= 20; ++gap)
+        for (int phase = 0; phase < 5; ++phase) {
+            World world;
+            add_floor(world);
+            const BodyId lower = add_dynamic(world, {0.0, 0.52 + 0.015 * phase}, kBox);
+            const BodyId upper = add_dynamic(world, {0.0, 1.52 + 0.015 * phase + 1e-3 * gap}, kBox);
+            world.set_velocity(lower, {0.0f, -5.0f}, 0.0f);
+            world.set_velocity(upper, {0.0f, -6.5f}, 0.0f);
+            Ledger ledger;
+            std::size_t hits = 0;
+            for (int step = 0; step < 60; ++step) {
+                world.step();
+                ledger.read(world);
+                hits += world.events().contact_hits.size();
+            }
+            CHECK(ledger.begins >= 2);
+            CHECK(hits >= 2);
+        }
 }
 
 TEST_CASE("bodies that fall asleep are listed in that step") {
