@@ -222,7 +222,7 @@ ExitCode shrink(const Command& command, const ShrinkArguments& options) {
 void add_shrink(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ShrinkArguments>();
     CLI::App& shrink_command = add_subcommand(
-        app, command, "shrink", "Make a scene that fails smaller while it fails in the same way, and draw the failure");
+        app, command, "shrink", "Remove from a failing scene what the failure does not need, and draw the failure");
     add_scene_options(shrink_command, options->scene);
     shrink_command
         .add_option("--fails", options->trial.command,
@@ -234,9 +234,9 @@ void add_shrink(CLI::App& app, Command& command) {
         ->type_name("N")
         ->check(whole_number_from_to(0, 1000000));
     shrink_command.add_flag("--same-output", options->trial.same_output,
-                            "Of a command: the first line of its standard error must stay too");
+                            "With a command: keep the first line of its standard error too");
     shrink_command.add_flag("--any-body", options->trial.any_body,
-                            "Of a claim: the finding may be about other bodies and joints");
+                            "With a claim: the finding may name other bodies and joints");
     shrink_command.add_option("--keep", options->keep, "Do not remove this body; repeatable")
         ->type_name("BODY")
         ->allow_extra_args(false);
@@ -254,7 +254,7 @@ void add_shrink(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
     add_renderer_option(shrink_command, options->renderer);
-    shrink_command.add_flag("--force", options->force, "Replace existing files, and begin anew");
+    shrink_command.add_flag("--force", options->force, "Replace existing files, and start from the beginning");
     shrink_command.callback(
         [&command, options] { command.action = [&command, options] { return shrink(command, *options); }; });
 }

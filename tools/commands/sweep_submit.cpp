@@ -127,7 +127,7 @@ void add_sweep_submit(CLI::App& app, Command& command) {
     app_submit.add_option("--sbatch", options->slurm.settings, "A further option of sbatch, --name=value; repeatable")
         ->type_name("TEXT")
         ->allow_extra_args(false);
-    app_submit.add_option("--program", options->slurm.program, "The program, as the nodes find it")
+    app_submit.add_option("--program", options->slurm.program, "Path of the program on the nodes")
         ->capture_default_str();
     add_outside_option(app_submit, options->allow_outside);
     app_submit.add_flag("--print", options->prints, "Print the script and submit nothing");

@@ -57,7 +57,8 @@ TrialLog::TrialLog(const std::filesystem::path& file, std::uint64_t task, bool r
         write_line(header_of(task));
     } else if (!is_ours) {
         ::close(descriptor_);
-        throw FileError(file, "is the log of another scene, other options or another build; begin anew with --force");
+        throw FileError(
+            file, "is the log of another scene, other options or another build; --force starts from the beginning");
     }
     // A line that was cut off counts as absent.
     if (!text.empty() && !text.ends_with('\n')) write_line("\n");

@@ -57,7 +57,7 @@ std::string plan_schema() {
         "final_state": {"type": "boolean", "description": "The snapshot of the world at the end, in the tar file. Default false."},
         "summary": {"type": "boolean", "description": "Parameters, outcome, measures and claims as JSON in the tar file. Default false."}}
     },
-    "shard_runs": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "The runs of a shard; by default as many as make 60 shards, at least 5 and at most 2000."},
+    "shard_runs": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "The runs of a shard; by default as many as make 60 shards, at most 2000."},
     "timeout": {"type": "number", "minimum": 0.001, "maximum": 1000000, "description": "Seconds of wall clock after which a run is ended and recorded as timed_out."}
   },
   "definitions": {
