@@ -31,7 +31,9 @@ struct ContactHit {
     float approach_speed = 0.0f;
 };
 
-// Two shapes ceased to touch, or one of them was destroyed or disabled. The id of a destroyed shape is stale.
+// Two shapes ceased to touch, or one of them was destroyed or disabled. The id of a destroyed shape is stale. Shapes
+// that touch within a step and are apart at its end cease in the next step. If they touch again in that step, it lists
+// their end and their begin: the end is that of the step before.
 struct ContactEnd {
     ShapeId shape_a;
     ShapeId shape_b;
@@ -75,7 +77,7 @@ struct ContactPoint {
     float tangent_impulse = 0.0f;
 };
 
-// Two shapes whose bounding boxes overlap. Most such pairs do not touch.
+// Two shapes whose bounding boxes overlap, or that touched in the last step. Most such pairs do not touch.
 struct ShapePair {
     ShapeId a;
     ShapeId b;

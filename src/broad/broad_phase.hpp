@@ -54,8 +54,10 @@ public:
     template <class Accept>
     const std::vector<ProxyPair>& find_new_pairs(Accept&& accept, Crew& crew);
 
-    // The pairs found or added so far and not removed. An added pair is not found again; its boxes may be apart.
+    // Adds a pair as if it had been found. Its boxes may be apart.
     void add_pair(ProxyPair pair) { pairs_.insert(pair); }
+
+    // The pairs found or added so far and not removed.
     void remove_pair(ProxyPair pair) { pairs_.erase(pair); }
     bool has_pair(ProxyPair pair) const { return pairs_.contains(pair); }
     std::size_t pair_count() const { return pairs_.size(); }

@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-// Two proxies whose boxes overlap, by their keys, a < b: pairs sort by a, then b.
+// Two proxies, by their keys, a < b: pairs sort by a, then b.
 struct ProxyPair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;

@@ -131,6 +131,17 @@ void for_each_left_box(const Simulation& simulation, const MovingBody& moving, c
     }
 }
 
+// Keeps the contacts that touched in this step, and notes a shape of each: its proxy is touched when the search for
+// pairs has ended, so that the next step ends the contact.
+void keep_touched(Simulation& simulation, ChunkLists<std::uint32_t>& ended) {
+    ended.erase_if([&](std::uint32_t i) {
+        const Contact& contact = simulation.contacts.all()[i];
+        const bool has_touched = contact.kind == ContactKind::solid && contact.is_touching && !contact.is_new;
+        if (has_touched) simulation.scratch->chunks.kept_shapes.push_back(contact.shapes.a);
+        return has_touched;
+    });
+}
+
 void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead) {
     for_each_left_box(simulation, moving, ahead,
                       [&](std::uint32_t shape, const Aabb& box) { simulation.broad.move(shape, box); });
@@ -139,8 +150,11 @@ void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMo
 // The parts of a step that the crew works on together, with serial ones between them that may take long.
 void begin_step(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
-    if (simulation.settings.orders_impacts()) cover_free_motions(simulation);
-    find_pairs(simulation, WhichEnd::apart);
+    if (simulation.settings.orders_impacts()) {
+        end_contacts(simulation, EndOf::all_contacts);  // before their boxes may overlap again
+        cover_free_motions(simulation);
+    }
+    find_pairs(simulation, EndOf::all_contacts);
     clock.stop(ms.pairs);
     simulation.report.collided = {};
     collide_pairs(simulation);
@@ -171,7 +185,7 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
     if (find_diverged(simulation.bodies) != kNoBody) return false;
     update_proxies(simulation);
     clock.stop(ms.proxies);
-    find_pairs(simulation, WhichEnd::apart_all_step);
+    find_pairs(simulation, EndOf::untouched_contacts);
     clock.stop(ms.pairs);
     report_events(simulation);
     clock.stop(ms.events);
@@ -214,34 +228,39 @@ void cover_free_motions(Simulation& simulation) {
     }
 }
 
-// Runs twice in a step: for the caller's changes before it, and after the motion, so that the step reports each sensor
-// that a body entered in it.
+// Runs for the caller's changes before the step, for bodies that wake in it, and after the motion, so that the step
+// reports each sensor that a body entered in it.
 // New pairs begin, and pairs end, only where a box has moved.
-void find_pairs(Simulation& simulation, WhichEnd which) {
+void find_pairs(Simulation& simulation, EndOf which) {
     simulation.contacts.merge_woken();
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
+    std::vector<std::uint32_t>& kept = simulation.scratch->chunks.kept_shapes;
+    kept.clear();
     end_contacts(simulation, which);
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
     simulation.contacts.add(new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
+    for (const std::uint32_t shape : kept) simulation.broad.touch(shape);
 }
 
-// Removes the contacts whose boxes are apart, and those that a change since the last step does not allow.
-void end_contacts(Simulation& simulation, WhichEnd which) {
+// Removes the contacts whose boxes are apart, unless `which` keeps them, and those that a change since the last step
+// does not allow.
+void end_contacts(Simulation& simulation, EndOf which) {
+    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
     std::vector<Contact>& contacts = simulation.contacts.all();
     ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
     const bool may_end_all = may_end_anywhere(simulation);
     const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
         const ProxyPair shapes = contacts[i].shapes;
         if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
-        const bool has_touched = which == WhichEnd::apart_all_step && contacts[i].is_touching;
-        const bool keep = (has_touched || simulation.broad.overlap(shapes)) &&
-                          !(simulation.filters_changed && !may_collide(simulation, shapes));
+        const bool keep =
+            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
         if (!keep) found.push_back(static_cast<std::uint32_t>(i));
     };
     ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
+    if (which == EndOf::untouched_contacts) keep_touched(simulation, ended);
     ended.for_each([&](std::uint32_t i) {
         report_removal(simulation, contacts[i]);
         simulation.broad.remove_pair(contacts[i].shapes);
@@ -258,7 +277,7 @@ void collide_pairs(Simulation& simulation) {
 // Touched bodies wake before they are solved, and may touch others that sleep.
 void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
-        find_pairs(simulation, WhichEnd::apart);
+        find_pairs(simulation, EndOf::all_contacts);
         collide_all(simulation, [](const Contact& contact) { return contact.is_new; });
     }
 }

@@ -14,15 +14,15 @@ struct Simulation;
 // skipped, and the simulation cannot go on.
 void step(Simulation& simulation);
 
-// Which contacts end if their boxes are apart: all of them, or those that have not touched in this step. The rest shows
-// the impulses of the step, and ends in the next one.
-enum class WhichEnd : std::uint8_t { apart, apart_all_step };
+// The contacts that end because their boxes are apart: all, or only those that did not touch in this step. A contact
+// that touched shows the impulses of the step, and ends when the next step starts.
+enum class EndOf : std::uint8_t { all_contacts, untouched_contacts };
 
 // Stages of step(), in order; those of dynamics/stages and dynamics/continuous come between. README.md has the whole
 // list.
 void cover_free_motions(Simulation& simulation);
-void find_pairs(Simulation& simulation, WhichEnd which);
-void end_contacts(Simulation& simulation, WhichEnd which);
+void find_pairs(Simulation& simulation, EndOf which);
+void end_contacts(Simulation& simulation, EndOf which);
 void collide_pairs(Simulation& simulation);
 void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);

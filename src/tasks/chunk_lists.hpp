@@ -39,6 +39,12 @@ public:
             for (const T& value : lists_[i].values) visit(value);
     }
 
+    // Removes the values for which predicate(value), called in order, is true.
+    template <class Predicate>
+    void erase_if(Predicate&& predicate) {
+        for (std::size_t i = 0; i < used_; ++i) std::erase_if(lists_[i].values, predicate);
+    }
+
     bool empty() const {
         for (std::size_t i = 0; i < used_; ++i)
             if (!lists_[i].values.empty()) return false;

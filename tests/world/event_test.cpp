@@ -152,6 +152,59 @@ TEST_CASE("when two boxes land, the upper one faster, no contact has a hit befor
         }
 }
 
+// The third ball takes part in the impact of the first two across the gap.
+TEST_CASE(
+    "in a row of balls with gaps a contact that passes an impulse on begins in that step, and has its hit in it") {
+    for (const float restitution : {0.0f, 0.5f, 1.0f})
+        for (int gap = 0; gap <= 20; ++gap) {
+            World world = weightless();
+            const SurfaceMaterial material{.friction = 0.3f, .restitution = restitution};
+            const BodyId first = add_dynamic(world, {-0.6, 0.0}, make_circle(0.2f), material);
+            add_dynamic(world, {}, make_circle(0.2f), material);
+            const BodyId third = add_dynamic(world, {0.4 + 5e-4 * gap, 0.0}, make_circle(0.2f), material);
+            world.set_velocity(first, {50.0f, 0.0f}, 0.0f);
+            world.set_velocity(third, {-1.5f, 0.0f}, 0.0f);
+            Ledger ledger;
+            for (int step = 0; step < 10; ++step) {
+                const float before = world.state(third).velocity.x;
+                world.step();
+                ledger.read(world);
+                float impulse = 0.0f;
+                for (const ContactPoint& point : world.contacts(third)) impulse += point.normal_impulse;
+                CHECK(near(double{impulse}, double{world.mass(third).mass * (world.state(third).velocity.x - before)},
+                           float_sum(100)));
+                for (const ContactPoint& point : world.contacts())
+                    CHECK((point.normal_impulse == 0.0f || ledger.touching.count({point.shape_a, point.shape_b}) == 1));
+            }
+            CHECK(ledger.begins >= 2);
+        }
+}
+
+TEST_CASE("a ball that hits two walls in each step lists its contacts by body too, and ends them when it stops") {
+    World world = weightless();
+    const Shape wall = make_box({1.0f, 40.0f});
+    add_static(world, {-2.0, 0.0}, wall);
+    add_static(world, {2.0, 0.0}, wall);
+    const BodyId ball = add_dynamic(world, {0.3, 0.0}, make_circle(0.2f), {.friction = 0.0f, .restitution = 1.0f});
+    world.set_velocity(ball, {331.0f, 0.3f}, 0.0f);
+    Ledger ledger;
+    int steps_with_both = 0;
+    for (int step = 0; step < 200; ++step) {
+        world.step();
+        ledger.read(world);
+        std::set<ShapeId> pushed;
+        for (const ContactPoint& point : world.contacts())
+            if (point.normal_impulse > 0.0f) pushed.insert(point.shape_a);
+        steps_with_both += pushed.size() == 2;
+        CHECK(world.contacts(ball).size() == world.contacts().size());
+    }
+    CHECK(steps_with_both > 150);
+    world.set_velocity(ball, {}, 0.0f);
+    world.step();
+    ledger.read(world);
+    CHECK(ledger.touching.empty());
+}
+
 TEST_CASE("bodies that fall asleep are listed in that step") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {5.0, 0.0}, kBox);

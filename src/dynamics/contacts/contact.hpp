@@ -1,4 +1,5 @@
-// A pair of shapes whose boxes overlap, with its manifold and the impulses that warm start the next step.
+// A pair of shapes whose boxes overlap, or that touched in the last step, with its manifold and the impulses that warm
+// start the next step.
 #pragma once
 
 #include <cstdint>

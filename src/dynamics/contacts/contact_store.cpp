@@ -52,6 +52,7 @@ void ContactStore::add_woken(std::span<const Contact> contacts) {
         TUMBLE_CHECK(contact.shapes.a < contact.shapes.b);
         woken_.push_back(contact);
         woken_.back().is_new = true;
+        woken_.back().applied[0] = woken_.back().applied[1] = {};
     }
 }
 

@@ -1,7 +1,6 @@
 #include "dynamics/continuous/impact_response.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "debug/check.hpp"
@@ -345,6 +344,7 @@ private:
             Contact* const contact = simulation_.contacts.find(own.shapes);
             if (!contact) continue;
             if (own.impact < 0) contact->applied[own.manifold_point] += applied;
+            contact->is_touching |= applied.normal > 0.0f;
             contact->is_bouncing = false;
         }
         if (Contact* const contact = simulation_.contacts.find(impact_.shapes)) contact->is_bouncing = false;

@@ -138,7 +138,7 @@ void show_impact(Contact& contact, Impact& impact) {
     add_impulses(contact, impact);
     contact.is_touching = true;
     contact.watched = 0;
-    if (impact.approach.speed >= contact.approach.speed) contact.approach = impact.approach;
+    if (contact.is_new || impact.approach.speed >= contact.approach.speed) contact.approach = impact.approach;
 }
 
 // A body that touched a sensor during the step and does not overlap it at the end has entered and left it.
@@ -160,6 +160,7 @@ void add_contacts_of_impacts(Simulation& simulation) {
     for (const Impact& impact : simulation.scratch->ordered_impacts.impacts) {
         if (simulation.broad.has_pair(impact.shapes)) continue;
         simulation.broad.add_pair(impact.shapes);
+        simulation.broad.touch(impact.shapes.a);  // the next step ends the contact
         pairs.push_back(impact.shapes);
     }
     std::sort(pairs.begin(), pairs.end());
