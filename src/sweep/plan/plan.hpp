@@ -109,8 +109,8 @@ std::filesystem::path scene_file(const Plan& plan, std::size_t scene);
 // Combinations of scenes, seeds and values on the grid.
 std::uint64_t grid_size(const Plan& plan);
 
-// The runs of a shard: those of the plan, else as many as make 60 shards, at most 2000. Sixty shards are
-// at most 180 files at a time: a tar file, an HDF5 file, and the lines of the table.
+// The runs of a shard: those of the plan, else as many as make 60 shards, at most 2000. Sixty shards are at most
+// 180 files at a time: a tar file, an HDF5 file, and the lines of the table.
 std::uint64_t runs_in_shard(const Plan& plan);
 std::uint64_t shard_count(const Plan& plan);
 
