@@ -27,6 +27,12 @@ struct BodyMass {
     friend constexpr bool operator==(const BodyMass&, const BodyMass&) = default;
 };
 
+struct Energy {
+    double kinetic = 0.0;    // J
+    double potential = 0.0;  // J in the gravity of the world; 0 for a centre of mass at the origin
+    double total() const { return kinetic + potential; }
+};
+
 // Motions that a dynamic body does not make, along the world axes and about its centre of mass. A locked velocity is 0.
 struct BodyLocks {
     bool x = false;

@@ -101,6 +101,11 @@ public:
     BodyType type(BodyId id) const;
     BodyState state(BodyId id) const;  // pose of the origin, velocity of the centre of mass
     BodyMass mass(BodyId id) const;
+    Energy energy(BodyId id) const;  // 0 if the body is not dynamic
+
+    // Of all dynamic bodies. O(bodies).
+    Energy energy() const;
+    DVec2 momentum() const;  // kg m/s
 
     // The states of all bodies in the order of bodies(), copied into the caller's arrays. Throws std::invalid_argument
     // if an array is neither empty nor has bodies().size() entries. O(bodies), without allocation.

@@ -18,7 +18,46 @@ MovingBody* wake_dynamic(Simulation& simulation, BodyId id) {
     return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
 }
 
+Energy energy_of(const Simulation& simulation, BodyId id) {
+    const BodyStore& bodies = simulation.bodies;
+    if (!bodies.is_dynamic(id.index)) return {};
+    const BodyRecord& record = bodies.records[id.index];
+    const BodyFrame& frame = bodies.frames[id.index];
+    const SolverBody& body = bodies.solver_bodies[frame.solver_body];
+    const DVec2 velocity(body.velocity), gravity(simulation.settings.gravity);
+    const double mass = double{record.mass.mass}, turn = double{body.angular_velocity};
+    const double weight = mass * double{record.motion.gravity_scale};
+    return {0.5 * mass * dot(velocity, velocity) + 0.5 * double{record.mass.inertia} * turn * turn,
+            -weight * dot(gravity, transform_point(frame.pose, record.mass.center))};
+}
+
 }  // namespace
+
+Energy World::energy(BodyId id) const {
+    impl_->require(id);
+    return energy_of(impl_->simulation, id);
+}
+
+Energy World::energy() const {
+    Energy sum;
+    for (const BodyId id : impl_->simulation.bodies.ids.live()) {
+        const Energy own = energy_of(impl_->simulation, id);
+        sum.kinetic += own.kinetic;
+        sum.potential += own.potential;
+    }
+    return sum;
+}
+
+DVec2 World::momentum() const {
+    const BodyStore& store = impl_->simulation.bodies;
+    DVec2 sum;
+    for (const BodyId id : store.ids.live()) {
+        if (!store.is_dynamic(id.index)) continue;
+        const SolverBody& body = store.solver_bodies[store.frames[id.index].solver_body];
+        sum = sum + double{store.records[id.index].mass.mass} * DVec2(body.velocity);
+    }
+    return sum;
+}
 
 void World::read_states(const BodyStateArrays& out) const {
     const BodyStore& bodies = impl_->simulation.bodies;

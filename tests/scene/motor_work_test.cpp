@@ -1,6 +1,7 @@
 // The work of motors, which a claim on energy does not count as gain.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "support/near.hpp"
@@ -85,6 +86,28 @@ TEST_CASE("a motor that starts, stops and hits something within steps holds the 
     CHECK_MESSAGE(hit.passed, hit.finding);
     CHECK(hit.work > 1.0);
     CHECK(length(hit.body.velocity) > 1.0f);
+}
+
+// An arm sleeps on a hinge at its centre, held by a brake of 30 N m. A ball falls on its end: the brake slips, and
+// takes 30 J for each radian.
+TEST_CASE("the work of a motor is counted from the step in which a hit wakes its joint") {
+    const Scene scene = parse_scene(R"({"format": 1, "bodies": [
+        {"name": "arm", "shapes": [{"box": {"size": [4, 0.2]}}]}, {"name": "frame", "type": "static"},
+        {"name": "ball", "position": [1.8, 12], "shapes": [{"circle": {"radius": 0.5}}]}],
+        "joints": [{"type": "revolute", "bodies": ["frame", "arm"], "anchor": [0, 0],
+                    "motor": {"speed": 0, "max_torque": 30}}]})",
+                                    "");
+    SceneRun run(scene);
+    const BodyId arm = run.built().bodies[0].id;
+    double asleep_until = 0.0;
+    for (int step = 0; step < 150; ++step) {
+        if (!run.world().is_awake(arm)) asleep_until = run.time();
+        run.step();
+    }
+    CHECK(asleep_until > 1.0);
+    const double turned = std::abs(angle(run.world().state(arm).pose.rotation));
+    CHECK(turned > 0.5);
+    CHECK(near(run.built().work, -30.0 * turned, relative(0.02)));
 }
 
 TEST_CASE("what a motor cannot have done is a gain") {

@@ -262,6 +262,31 @@ TEST_CASE("a force or an impulse at the centre of mass does not rotate a body") 
     CHECK(world.state(body).velocity.y == -1.0f);
 }
 
+// A body of 2 kg and 3 kg m^2, whose centre of mass is (0, 1) from its origin, turned by a quarter: the centre is at
+// (4, 6).
+TEST_CASE("energy and momentum are those of the dynamic bodies") {
+    World world(WorldDef{.gravity = {0.0f, -10.0f}});
+    BodyDef def;
+    def.pose = {{5.0, 6.0}, Rotation{0.0f, 1.0f}};
+    def.gravity_scale = 0.5f;
+    def.mass = BodyMass{2.0f, {0.0f, 1.0f}, 3.0f};
+    const BodyId body = world.create_body(def);
+    world.set_velocity(body, {3.0f, 4.0f}, 2.0f);
+    BodyDef kinematic;
+    kinematic.type = BodyType::kinematic_body;
+    kinematic.velocity = {1.0f, 0.0f};
+    const BodyId mover = world.create_body(kinematic);
+    const Energy energy = world.energy(body);
+    CHECK(energy.kinetic == 0.5 * 2.0 * 25.0 + 0.5 * 3.0 * 4.0);
+    CHECK(energy.potential == 2.0 * 0.5 * 10.0 * 6.0);
+    CHECK(world.energy(mover).total() == 0.0);
+    CHECK(world.energy().total() == energy.total());
+    CHECK(length(world.momentum() - DVec2{6.0, 8.0}) == 0.0);
+    world.destroy_body(body);
+    CHECK_THROWS_AS(world.energy(body), std::invalid_argument);
+    CHECK(world.energy().total() == 0.0);
+}
+
 TEST_CASE("move_towards reaches a pose in one step, by the shorter rotation") {
     for (const BodyType type : {BodyType::kinematic_body, BodyType::dynamic_body}) {
         World world = weightless();

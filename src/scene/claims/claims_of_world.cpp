@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "scene/claims/claims.hpp"
-#include "scene/expressions/energy.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "scene/model/names.hpp"
@@ -121,7 +120,7 @@ public:
 
     // The first state that counts is the start.
     double excess(const SceneWorld& built) override {
-        const double energy = energy_of(built.world).total() - built.work;
+        const double energy = built.world.energy().total() - built.work;
         if (!first_) {
             first_ = energy;
             work_ = built.work;

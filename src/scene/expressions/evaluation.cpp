@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "scene/expressions/contact_state.hpp"
-#include "scene/expressions/energy.hpp"
 #include "scene/expressions/exponential.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/frame.hpp"
@@ -178,12 +177,12 @@ double Evaluation::world_value(WorldValue which) const {
     switch (which) {
         case WorldValue::time: return world.time();
         case WorldValue::step: return static_cast<double>(world.step_count());
-        case WorldValue::energy: return energy_of(world).total();
-        case WorldValue::kinetic: return energy_of(world).kinetic;
-        case WorldValue::potential: return energy_of(world).potential;
+        case WorldValue::energy: return world.energy().total();
+        case WorldValue::kinetic: return world.energy().kinetic;
+        case WorldValue::potential: return world.energy().potential;
         case WorldValue::work: return built_.work;
-        case WorldValue::momentum_x: return momentum_of(world).x;
-        case WorldValue::momentum_y: return momentum_of(world).y;
+        case WorldValue::momentum_x: return world.momentum().x;
+        case WorldValue::momentum_y: return world.momentum().y;
         case WorldValue::contacts: return static_cast<double>(world.contacts().size());
         case WorldValue::bodies: return static_cast<double>(world.bodies().size());
     }

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "scene/expressions/energy.hpp"
 #include "scene/health/health_check.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
@@ -81,7 +80,7 @@ public:
 
 private:
     void observe_world(const HealthView& view) {
-        const Energy energy = energy_of(view.world());
+        const Energy energy = view.world().energy();
         const double total = energy.total() - view.built().work;
         const std::size_t count = view.world().bodies().size();
         const bool is_known = last_ && count == count_ && !has_other_sources(view);

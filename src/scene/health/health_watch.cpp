@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/expressions/energy.hpp"
 #include "scene/health/extremes.hpp"
 #include "scene/health/health_check.hpp"
 #include "scene/model/joint_gap.hpp"
@@ -13,12 +12,12 @@ namespace tumble {
 namespace {
 
 HealthSample sample_of(const scene::HealthView& view) {
-    const scene::Energy energy = scene::energy_of(view.world());
+    const Energy energy = view.world().energy();
     HealthSample sample{.time = view.world().time(),
                         .kinetic = energy.kinetic,
                         .potential = energy.potential,
                         .work = view.built().work,
-                        .momentum = scene::momentum_of(view.world()),
+                        .momentum = view.world().momentum(),
                         .awake = view.world().counters().awake_bodies,
                         .milliseconds = view.world().counters().ms.step};
     for (const ContactPoint& contact : view.contacts())

@@ -5,8 +5,6 @@
 #include <optional>
 #include <variant>
 
-#include "scene/expressions/energy.hpp"
-
 namespace tumble::scene {
 
 namespace {
@@ -32,6 +30,11 @@ bool has_motor(const JointDef& joint) {
         joint);
 }
 
+bool is_asleep(const World& world, JointId joint) {
+    const auto sleeps = [&](BodyId body) { return !world.is_awake(body); };
+    return std::visit([&](const auto& def) { return sleeps(def.body_a) || sleeps(def.body_b); }, world.joint(joint));
+}
+
 }  // namespace
 
 MotorWork::MotorWork(const SceneWorld& built) {
@@ -52,11 +55,16 @@ MotorWork::Motion MotorWork::motion_of(const World& world, JointId joint) {
 
 void MotorWork::start_step(const World& world) {
     if (driven_.empty()) return;
-    energy_ = energy_of(world).total();
-    for (Driven& driven : driven_) {
-        driven.exists = world.is_valid(driven.joint);
-        if (driven.exists) driven.start = motion_of(world, driven.joint);
-    }
+    energy_ = world.energy().total();
+    for (Driven& driven : driven_) start_step(world, driven);
+}
+
+void MotorWork::start_step(const World& world, Driven& driven) {
+    driven.exists = world.is_valid(driven.joint);
+    if (!driven.exists) return;
+    const bool sleeps = is_asleep(world, driven.joint);
+    if (!sleeps || !driven.was_asleep) driven.start = motion_of(world, driven.joint);
+    driven.was_asleep = sleeps;
 }
 
 MotorWork::Bounds MotorWork::bounds_of(const World& world, const Driven& driven) {
@@ -108,12 +116,13 @@ double MotorWork::end_step(const World& world, double other_work) const {
     Bounds sum;
     for (const Driven& driven : driven_) {
         if (!driven.exists || !world.is_valid(driven.joint)) continue;
+        if (driven.was_asleep && is_asleep(world, driven.joint)) continue;
         const Bounds bounds = bounds_of(world, driven);
         sum.steady += bounds.steady;
         sum.most += bounds.most;
     }
     if (driven_.empty()) return 0.0;
-    const double grown = energy_of(world).total() - energy_ - other_work;
+    const double grown = world.energy().total() - energy_ - other_work;
     return std::max(sum.steady, std::min(grown, sum.most));
 }
 

@@ -33,6 +33,7 @@ private:
     struct Driven {
         JointId joint;
         bool exists = false;
+        bool was_asleep = false;  // when `start` was measured; a sleeping joint still has this motion
         Motion start{};
     };
     struct Bounds {
@@ -41,6 +42,7 @@ private:
     };
 
     static Motion motion_of(const World& world, JointId joint);
+    static void start_step(const World& world, Driven& driven);
     static Bounds bounds_of(const World& world, const Driven& driven);
 
     std::vector<Driven> driven_;

@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "debug/check.hpp"
-#include "scene/expressions/energy.hpp"
 #include "scene/expressions/evaluate.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/model/degrees.hpp"
@@ -105,10 +104,10 @@ void TimelineRun::apply_due(SceneWorld& built) {
     std::optional<double> before;  // J
     for (ScheduledEvent& scheduled : events_) {
         if (scheduled.event.stop || !is_due(scheduled, built.world)) continue;
-        if (!before && !scheduled.lasts()) before = energy_of(built.world).total();
+        if (!before && !scheduled.lasts()) before = built.world.energy().total();
         apply(scheduled, built);
     }
-    if (before) built.work += energy_of(built.world).total() - *before;
+    if (before) built.work += built.world.energy().total() - *before;
     for (Push& push : pushes_) {
         push.center = center_of(built.world, push.body);
         push.rotation = built.world.state(push.body).pose.rotation;
