@@ -1,5 +1,7 @@
 // The contacts of awake bodies, contiguous and sorted by shape indices, so that the order of every loop over them
 // depends on ids alone.
+// Contacts that stay where they are, with a sorted list of their indices, were measured: smash took 0.95 of the time,
+// but large_pyramid and spinner 1.01 to 1.03 of it, and many_pyramids 1.3 if blocks of lanes were filled by that list.
 #pragma once
 
 #include <cstddef>
