@@ -24,8 +24,9 @@ enum class ImpactModel : std::uint8_t {
     // that land while they carry others, the fastest have impacts, and the contact solver stops the rest.
     //
     // Joints do not take part in impacts: a joined body that is struck goes on in the next step. A step takes longer
-    // than with at_step_end: by a tenth for a pile at rest, by half where hundreds of bodies collide at once, and three
-    // to six times as long where thousands are struck in each step (bench/spinner, tumbler, smash). The default.
+    // than with at_step_end: by a tenth for a pile at rest, by half where hundreds of bodies collide at once, twice as
+    // long where hundreds bounce, and three to six times as long where thousands are struck (the scenes bench/spinner,
+    // tumbler and smash). The default.
     in_order,
 };
 

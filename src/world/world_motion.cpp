@@ -1,4 +1,4 @@
-// The motion of bodies between steps: poses, velocities, forces, impulses and sleep.
+// The motion of bodies between steps: poses, velocities, energy, forces, impulses and sleep.
 #include <stdexcept>
 #include <string>
 
