@@ -35,7 +35,9 @@ Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, doubl
     cache.reference_side = reference.side;
     cache.reference_edge = static_cast<std::uint16_t>(reference.edge);
     if (reference.side == Side::none) return corner_manifold(pair, core, radius_a, radius_b);
-    const Skins skins = reference.side == Side::a ? Skins{radius_a, radius_b} : Skins{radius_b, radius_a};
+    const double radii[2] = {radius_a, radius_b};
+    const bool is_b = reference.side == Side::b;
+    const Skins skins{radii[is_b], radii[!is_b]};
     return edge_manifold(pair, reference, skins, speculative_distance, tolerance);
 }
 
