@@ -67,14 +67,15 @@ TEST_CASE("a recycled manifold moves with the bodies") {
     const Pose a;
 
     Pose b{{0.0, 1.0012}, {}};
-    Manifold manifold = recycled(reference, motion_since(reference, a, b));
+    Manifold manifold;
+    recycle(manifold, reference, motion_since(reference, a, b));
     CHECK(near(manifold.points[0].separation, 0.0012, kFloat));
     CHECK(manifold.points[0].feature == 7);
 
     // B turns by 0.5 mrad about its centre: its anchor (0.5, -0.5005) rises by 0.5 sin + 0.5005 (1 - cos) of that. The
     // anchors are floats of half a metre.
     b = {{0.0, 1.001}, make_rotation(5e-4)};
-    manifold = recycled(reference, motion_since(reference, a, b));
+    recycle(manifold, reference, motion_since(reference, a, b));
     CHECK(near(manifold.points[0].separation, 0.001 + 0.5 * std::sin(5e-4) + 0.5005 * (1.0 - std::cos(5e-4)),
                absolute(1e-7)));
 
@@ -83,9 +84,16 @@ TEST_CASE("a recycled manifold moves with the bodies") {
     const Pose moved_b{turn.position + rotate(turn.rotation, DVec2{0.0, 1.001}), turn.rotation};
     const MotionSince motion = motion_since(reference, turn, moved_b);
     CHECK(greatest_displacement(reference, motion, 0.7072f, 0.7072f) < 1e-6f);
-    manifold = recycled(reference, motion);
+    recycle(manifold, reference, motion);
     CHECK(near(manifold.points[0].separation, 0.001, absolute(1e-7)));
     CHECK(near(manifold.normal.x, -std::sin(1.0), kFloat));
+
+    // What the manifold held before is gone.
+    reference.manifold.point_count = 0;
+    reference.manifold.points[0] = {};
+    recycle(manifold, reference, motion);
+    CHECK(manifold.point_count == 0);
+    CHECK(manifold.points[0].feature == 0);
 }
 
 TEST_CASE("the displacement since a reference bounds that of every point") {

@@ -81,12 +81,14 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     set_manifold(contact, manifold);
     const bool is_with_chain = a.record.link || b.record.link;
     const float gap = is_with_chain ? 0.0f : std::max(contact.cache.distance - contact.speculative_distance, 0.0f);
-    contact.reference = {manifold,
-                         a.world_from_body.rotation,
-                         b.world_from_body.rotation,
-                         b.world_from_body.position - a.world_from_body.position,
-                         manifold.point_count > 0 ? 0.0f : gap,
-                         true};
+    // Member by member: a copy of a structure that was just built in parts would wait for them.
+    ManifoldReference& reference = contact.reference;
+    reference.rotation_a = a.world_from_body.rotation;
+    reference.rotation_b = b.world_from_body.rotation;
+    reference.offset = b.world_from_body.position - a.world_from_body.position;
+    reference.gap = manifold.point_count > 0 ? 0.0f : gap;
+    reference.is_valid = true;
+    reference.manifold = manifold;
 }
 
 // The displacement of B's centre relative to A's in a step, m.
@@ -122,7 +124,7 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const float tolerance = std::max(kRecyclingPart * contact.speculative_distance, contact.reference.gap);
     const bool is_recycled = moved <= tolerance;
     if (is_recycled) {
-        contact.manifold = recycled(contact.reference, motion);
+        recycle(contact.manifold, contact.reference, motion);
     } else {
         const bool is_with_chain = a.link || b.link;
         collide_in_full(contact, posed_a, posed_b,

@@ -37,7 +37,7 @@ inline MotionSince motion_since(const ManifoldReference& reference, const Pose& 
 float greatest_displacement(const ManifoldReference& reference, const MotionSince& motion, float reach_a,
                             float reach_b);
 
-// The manifold of the reference after the motion.
-Manifold recycled(const ManifoldReference& reference, const MotionSince& motion);
+// Sets the manifold to that of the reference after the motion.
+void recycle(Manifold& manifold, const ManifoldReference& reference, const MotionSince& motion);
 
 }  // namespace tumble
