@@ -54,10 +54,7 @@ void check_alone(const CorePair& pair) {
     const LeadingFaces<N> leading(pair, turned);
     if (leading.bits == 0) return;
     const OwnedFace all = leading.first();
-    const Core* const cores[2] = {&pair.a, &pair.b};
-    const double sign = kSign[all.is_b];
-    const OwnedFace one = find_face<N>(*cores[all.is_b], *cores[1 - all.is_b], sign * pair.offset.x,
-                                       sign * pair.offset.y, all.is_b, all.from);
+    const OwnedFace one = find_face<N>(pair, all.is_b, all.from);
     CHECK(all.to == one.to);
     CHECK(all.nearest == one.nearest);
     CHECK(all.numbers.separation == one.numbers.separation);

@@ -51,6 +51,13 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const Core& owner, const Core& other_co
             {x, y, length, gap / length, first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]}};
 }
 
+template <int N>
+TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    return find_face<N>(*cores[is_b], *cores[1 - is_b], kSign[is_b] * pair.offset.x, kSign[is_b] * pair.offset.y, is_b,
+                        from);
+}
+
 // The faces of largest separation.
 template <int N>
 struct LeadingFaces {
