@@ -81,7 +81,7 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     set_manifold(contact, manifold);
     const bool is_with_chain = a.record.link || b.record.link;
     const float gap = is_with_chain ? 0.0f : std::max(contact.cache.distance - contact.speculative_distance, 0.0f);
-    // Member by member: a copy of a structure that was just built in parts would wait for them.
+    // Member by member, the manifold last: a copy of a structure that was just built in parts waits for them.
     ManifoldReference& reference = contact.reference;
     reference.rotation_a = a.world_from_body.rotation;
     reference.rotation_b = b.world_from_body.rotation;

@@ -51,6 +51,7 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const Core& owner, const Core& other_co
             {x, y, length, gap / length, first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]}};
 }
 
+// The same, of one core of a pair.
 template <int N>
 TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
     const Core* const cores[2] = {&pair.a, &pair.b};
