@@ -148,9 +148,15 @@ constexpr Aabb merge(const Aabb& a, const Aabb& b) {
             {a.upper.x > b.upper.x ? a.upper.x : b.upper.x, a.upper.y > b.upper.y ? a.upper.y : b.upper.y}};
 }
 
-// True if the boxes overlap or touch.
+// The box with all its sides moved outwards by `margin` (m).
+constexpr Aabb enlarged(const Aabb& box, float margin) {
+    return {box.lower - Vec2{margin, margin}, box.upper + Vec2{margin, margin}};
+}
+
+// True if the boxes overlap or touch. Without branches, as it is unpredictable which of the comparisons fails.
 constexpr bool overlaps(const Aabb& a, const Aabb& b) {
-    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
+    return bool((a.lower.x <= b.upper.x) & (b.lower.x <= a.upper.x) & (a.lower.y <= b.upper.y) &
+                (b.lower.y <= a.upper.y));
 }
 
 // True if `inner` is inside `outer`; equal sides count as inside.

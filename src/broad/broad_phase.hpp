@@ -81,10 +81,8 @@ public:
 
     // Bytes of the buffers that are kept from search to search.
     std::size_t spare_bytes() const {
-        std::size_t node_pairs = waiting_.capacity();
-        for (const std::vector<AabbTree::NodePair>& walk : walks_) node_pairs += walk.capacity();
-        return new_pairs_.capacity() * sizeof(ProxyPair) + found_.bytes() + node_pairs * sizeof(AabbTree::NodePair) +
-               walks_.capacity() * sizeof(std::vector<AabbTree::NodePair>);
+        return new_pairs_.capacity() * sizeof(ProxyPair) + found_.bytes() +
+               waiting_.capacity() * sizeof(AabbTree::NodePair);
     }
 
     template <class Self, class Visitor>
@@ -103,8 +101,10 @@ private:
     static constexpr std::size_t kLeastLeaves = 64;   // the same for the walk of a tree
     static constexpr std::size_t kPartsOfChunk = 4;   // pairs of subtrees, as some take longer than others
 
-    template <class Consider>
-    void walk_dynamic(Consider& consider, Crew& crew);
+    template <class Accept>
+    void walk_dynamic(Accept& accept, Crew& crew);
+    template <class Accept>
+    void keep_new(std::vector<ProxyPair>& found, Accept& accept) const;
     template <class Visitor>
     void find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const;
 
@@ -117,28 +117,24 @@ private:
     std::vector<std::uint8_t> is_touched_;  // by key, 1 for these
     std::vector<ProxyPair> new_pairs_;
     ChunkLists<ProxyPair> found_;
-    std::vector<AabbTree::NodePair> waiting_;             // parts of a walk of the dynamic tree
-    std::vector<std::vector<AabbTree::NodePair>> walks_;  // by chunk: what is left of the part that it walks
+    std::vector<AabbTree::NodePair> waiting_;  // parts of a walk of the dynamic tree
     PairSet pairs_;
 };
 
 // If more than half of the dynamic proxies are touched, one walk of their tree against itself finds all their pairs, in
-// place of a query for each proxy: for a drum of 2000 boxes this takes 0.50 ms instead of 0.98 ms.
+// place of a query for each proxy: the pairs of a drum of 2000 boxes take 0.63 ms instead of 1.30 ms.
 template <class Accept>
 const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& crew) {
-    const auto consider = [&](std::uint32_t key, std::uint32_t other, std::vector<ProxyPair>& found) {
-        const ProxyPair pair = make_pair_of(key, other);
-        TUMBLE_CHECK(pair.a < pair.b);
-        TUMBLE_CHECK(pair.b < proxies_.size());
-        if (!pairs_.contains(pair) && accept(pair)) found.push_back(pair);
-    };
     const auto dynamic = std::count_if(touched_.begin(), touched_.end(),
                                        [&](std::uint32_t key) { return proxies_[key].layer == ProxyLayer::dynamic; });
     const bool at_once = 2 * static_cast<std::size_t>(dynamic) > tree(ProxyLayer::dynamic).leaf_count();
     new_pairs_.clear();
-    if (at_once) walk_dynamic(consider, crew);
-    found_.fill(crew, touched_.size(), kLeastQueries, [&](std::size_t i, std::vector<ProxyPair>& found) {
-        find_pairs_of(touched_[i], at_once, [&](std::uint32_t other) { consider(touched_[i], other, found); });
+    if (at_once) walk_dynamic(accept, crew);
+    found_.fill_by_chunk(crew, touched_.size(), kLeastQueries, [&](const Chunk& chunk, std::vector<ProxyPair>& found) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+            find_pairs_of(touched_[i], at_once,
+                          [&](std::uint32_t other) { found.push_back(make_pair_of(touched_[i], other)); });
+        keep_new(found, accept);
     });
     found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
     std::sort(new_pairs_.begin(), new_pairs_.end());
@@ -149,25 +145,38 @@ const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& 
 }
 
 // Walks parts of the tree at the same time: pairs of its upper subtrees, which the first steps of the walk find.
-template <class Consider>
-void BroadPhase::walk_dynamic(Consider& consider, Crew& crew) {
+template <class Accept>
+void BroadPhase::walk_dynamic(Accept& accept, Crew& crew) {
     const AabbTree& tree = this->tree(ProxyLayer::dynamic);
     const std::size_t parts = crew.chunk_count(tree.leaf_count(), kLeastLeaves);
-    const auto visit = [&](std::vector<ProxyPair>& found) {
+    const auto add_to = [&](std::vector<ProxyPair>& found) {
         return [&](std::uint32_t a, std::uint32_t b) {
-            if (is_touched_[a] || is_touched_[b]) consider(a, b, found);
+            if (is_touched_[a] || is_touched_[b]) found.push_back(make_pair_of(a, b));
         };
     };
-    tree.begin_pairs(waiting_, parts > 1 ? kPartsOfChunk * parts : 1, visit(new_pairs_));
-    walks_.resize(std::max(walks_.size(), crew.chunk_count(waiting_.size(), kPartsOfChunk)));
+    tree.visit_upper_pairs(parts > 1 ? kPartsOfChunk * parts : 1, waiting_, add_to(new_pairs_));
+    keep_new(new_pairs_, accept);
     found_.fill_by_chunk(crew, waiting_.size(), kPartsOfChunk, [&](const Chunk& chunk, std::vector<ProxyPair>& found) {
-        std::vector<AabbTree::NodePair>& walk = walks_[chunk.index];
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            walk.assign(1, waiting_[i]);
-            tree.finish_pairs(walk, visit(found));
-        }
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) tree.visit_pairs(waiting_[i], add_to(found));
+        keep_new(found, accept);
     });
     found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
+}
+
+// Removes the pairs that are known or not accepted. Most are known, in slots that are far apart in memory: that of a
+// later pair is loaded ahead, which saves a fifth of the search where a wall of 9600 boxes breaks.
+template <class Accept>
+void BroadPhase::keep_new(std::vector<ProxyPair>& found, Accept& accept) const {
+    constexpr std::size_t kAhead = 8;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i + kAhead < found.size()) pairs_.prefetch(found[i + kAhead]);
+        const ProxyPair pair = found[i];
+        TUMBLE_CHECK(pair.a < pair.b);
+        TUMBLE_CHECK(pair.b < proxies_.size());
+        if (!pairs_.contains(pair) && accept(pair)) found[kept++] = pair;
+    }
+    found.resize(kept);
 }
 
 // Calls visit(other) for each proxy whose box overlaps that of a touched one, apart from those that the walk of the

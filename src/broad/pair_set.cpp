@@ -7,12 +7,6 @@
 
 namespace tumble {
 
-// Multiplicative hashing by 2^64 / golden ratio, high bits folded down.
-std::size_t PairSet::home(std::uint64_t packed) const {
-    const std::uint64_t mixed = packed * 0x9e3779b97f4a7c15ull;
-    return static_cast<std::size_t>(mixed ^ (mixed >> 32)) & (slots_.size() - 1);
-}
-
 std::size_t PairSet::find_slot(std::uint64_t packed) const {
     std::size_t slot = home(packed);
     while (slots_[slot] != kEmpty && slots_[slot] != packed) slot = (slot + 1) & (slots_.size() - 1);

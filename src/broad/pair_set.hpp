@@ -21,6 +21,10 @@ constexpr ProxyPair make_pair_of(std::uint32_t x, std::uint32_t y) { return x < 
 class PairSet {
 public:
     bool contains(ProxyPair pair) const;
+    // Starts to load what contains() will read.
+    void prefetch(ProxyPair pair) const {
+        if (!slots_.empty()) __builtin_prefetch(&slots_[home(pack(pair))]);
+    }
     void insert(ProxyPair pair);  // must not be contained yet
     void erase(ProxyPair pair);   // no effect if not contained
     std::size_t size() const { return size_; }
@@ -33,7 +37,11 @@ public:
 private:
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
     static std::uint64_t pack(ProxyPair pair) { return std::uint64_t{pair.a} << 32 | pair.b; }
-    std::size_t home(std::uint64_t packed) const;
+    // Multiplicative hashing by 2^64 / golden ratio, high bits folded down.
+    std::size_t home(std::uint64_t packed) const {
+        const std::uint64_t mixed = packed * 0x9e3779b97f4a7c15ull;
+        return static_cast<std::size_t>(mixed ^ (mixed >> 32)) & (slots_.size() - 1);
+    }
     std::size_t find_slot(std::uint64_t packed) const;  // of the pair, or the empty slot where it would be inserted
     void grow();
 

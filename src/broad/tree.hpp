@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "debug/check.hpp"
@@ -20,7 +19,11 @@ class AabbTree {
 public:
     using Node = std::int32_t;
     static constexpr Node kNone = -1;
-    using NodePair = std::pair<Node, Node>;
+    // Two subtrees whose boxes overlap: the pairs of a leaf of one and a leaf of the other. A subtree with itself: the
+    // pairs of its leaves.
+    struct NodePair {
+        Node first, second;
+    };
 
     // Adds a leaf and returns its node, by which the caller moves and removes it. O(log n).
     Node insert(const Aabb& box, std::uint32_t key);
@@ -47,19 +50,18 @@ public:
     template <class MayContain, class Visitor>
     void search(MayContain&& may_contain, Visitor&& visit) const;
 
-    // Calls visit(key, other key) once for each two leaves whose boxes overlap. `waiting` is a buffer for the walk.
+    // Calls visit(key, other key) once for each two leaves whose boxes overlap.
     template <class Visitor>
-    void for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const {
-        begin_pairs(waiting, 1, visit);
-        finish_pairs(waiting, visit);
+    void for_each_pair(Visitor&& visit) const {
+        if (root_ != kNone) visit_pairs({root_, root_}, visit);
     }
 
-    // The same walk in two steps. begin_pairs() stops when `waiting` has at least `parts` pairs of subtrees, or none;
-    // finish_pairs() walks those that it gets.
+    // The same walk in two steps, the second of which several threads can share: visit_upper_pairs() stops when
+    // `waiting` has at least `parts` pairs of subtrees, or none; visit_pairs() walks one of them.
     template <class Visitor>
-    void begin_pairs(std::vector<NodePair>& waiting, std::size_t parts, Visitor&& visit) const;
+    void visit_upper_pairs(std::size_t parts, std::vector<NodePair>& waiting, Visitor&& visit) const;
     template <class Visitor>
-    void finish_pairs(std::vector<NodePair>& waiting, Visitor&& visit) const;
+    void visit_pairs(NodePair pair, Visitor&& visit) const;
 
     // Sum of the perimeters of all nodes: proportional to the expected cost of a query.
     double cost() const;
@@ -108,8 +110,8 @@ private:
     void rotate(Node node);
     template <class MayContain, class Visitor>
     void search_subtree(Node root, MayContain& may_contain, Visitor& visit) const;
-    template <class Visitor>
-    void visit_pair(NodePair pair, std::vector<NodePair>& waiting, Visitor& visit) const;
+    template <class Add, class Visitor>
+    void split(NodePair pair, Add&& add, Visitor& visit) const;
     std::size_t audit_subtree(Node root) const;
 
     std::vector<NodeData> nodes_;
@@ -146,48 +148,71 @@ void AabbTree::search_subtree(Node root, MayContain& may_contain, Visitor& visit
 
 // Level by level, so that the parts are of similar size.
 template <class Visitor>
-void AabbTree::begin_pairs(std::vector<NodePair>& waiting, std::size_t parts, Visitor&& visit) const {
+void AabbTree::visit_upper_pairs(std::size_t parts, std::vector<NodePair>& waiting, Visitor&& visit) const {
+    TUMBLE_CHECK(parts >= 1u);
     waiting.clear();
     if (root_ != kNone) waiting.push_back({root_, root_});
-    TUMBLE_CHECK(parts >= 1u);
     std::vector<NodePair> level;
     while (!waiting.empty() && waiting.size() < parts) {
         level.swap(waiting);
         waiting.clear();
-        for (const NodePair& pair : level) visit_pair(pair, waiting, visit);
+        const auto add = [&waiting](NodePair pair, bool overlap) {
+            if (overlap) waiting.push_back(pair);
+        };
+        for (const NodePair& pair : level) split(pair, add, visit);
     }
 }
 
+// A stack of fixed size, as in search_subtree().
 template <class Visitor>
-void AabbTree::finish_pairs(std::vector<NodePair>& waiting, Visitor&& visit) const {
-    while (!waiting.empty()) {
-        const NodePair pair = waiting.back();
-        waiting.pop_back();
-        visit_pair(pair, waiting, visit);
+void AabbTree::visit_pairs(NodePair pair, Visitor&& visit) const {
+    constexpr int kMostParts = 3;
+    Node first[kStackSize],
+        second[kStackSize];  // two arrays: the load of a pair would wait for the stores of its halves
+    first[0] = pair.first;
+    second[0] = pair.second;
+    int count = 1;
+    const auto add = [&](NodePair part, bool overlap) {
+        TUMBLE_CHECK(count < kStackSize);
+        first[count] = part.first;
+        second[count] = part.second;
+        count += overlap;
+    };
+    while (count > 0) {
+        --count;
+        const NodePair next{first[count], second[count]};
+        if (count + kMostParts <= kStackSize) {
+            split(next, add, visit);
+        } else {
+            split(
+                next,
+                [&](NodePair part, bool overlap) {
+                    if (overlap) visit_pairs(part, visit);
+                },
+                visit);
+        }
     }
 }
 
-// A subtree paired with itself becomes three pairs: each child with itself, and the two children with each other.
-template <class Visitor>
-void AabbTree::visit_pair(NodePair pair, std::vector<NodePair>& waiting, Visitor& visit) const {
-    const auto [first, second] = pair;
-    const NodeData& a = at(first);
-    const NodeData& b = at(second);
-    if (first == second) {
+// Visits the pair if both are leaves. Otherwise calls add(part, overlap) for each part: `overlap` is false if the boxes
+// of the part are apart.
+template <class Add, class Visitor>
+void AabbTree::split(NodePair pair, Add&& add, Visitor& visit) const {
+    const NodeData& a = at(pair.first);
+    const NodeData& b = at(pair.second);
+    if (pair.first == pair.second) {
         if (a.is_leaf()) return;
-        waiting.push_back({a.child[0], a.child[0]});
-        waiting.push_back({a.child[1], a.child[1]});
-        waiting.push_back({a.child[0], a.child[1]});
-    } else if (!overlaps(a.box, b.box)) {
-        return;
+        add({a.child[0], a.child[0]}, true);
+        add({a.child[1], a.child[1]}, true);
+        add({a.child[0], a.child[1]}, overlaps(at(a.child[0]).box, at(a.child[1]).box));
     } else if (a.is_leaf() && b.is_leaf()) {
         visit(a.key, b.key);
-    } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // descend into the larger
-        waiting.push_back({a.child[0], second});
-        waiting.push_back({a.child[1], second});
     } else {
-        waiting.push_back({first, b.child[0]});
-        waiting.push_back({first, b.child[1]});
+        const bool into_first = b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box));  // the larger
+        const NodeData& divided = into_first ? a : b;
+        const Node whole = into_first ? pair.second : pair.first;
+        const Aabb box = into_first ? b.box : a.box;
+        for (const Node child : divided.child) add({child, whole}, overlaps(at(child).box, box));
     }
 }
 

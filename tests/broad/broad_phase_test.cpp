@@ -54,8 +54,7 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Aabb>& boxes) {
 
 std::set<ProxyPair> pairs_of(const AabbTree& tree) {
     std::set<ProxyPair> pairs;
-    std::vector<AabbTree::NodePair> waiting;
-    tree.for_each_pair(waiting, [&](std::uint32_t a, std::uint32_t b) {
+    tree.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
         CHECK(pairs.insert(make_pair_of(a, b)).second);  // each once
     });
     return pairs;

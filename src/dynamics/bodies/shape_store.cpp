@@ -8,14 +8,6 @@
 
 namespace tumble {
 
-namespace {
-
-Aabb enlarged(const Aabb& box, float margin) {
-    return {box.lower - Vec2{margin, margin}, box.upper + Vec2{margin, margin}};
-}
-
-}  // namespace
-
 ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     const ShapeId id = ids.acquire();
     if (id.index == records_.size()) records_.emplace_back();
