@@ -6,11 +6,17 @@ namespace tumble {
 
 namespace {
 
+// The first contact, of sorted ones, that is not before the pair.
+template <class Iterator>
+Iterator lower_bound_of(Iterator begin, Iterator end, ProxyPair pair) {
+    TUMBLE_CHECK(pair.a < pair.b);
+    return std::lower_bound(begin, end, pair,
+                            [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
+}
+
 template <class Contacts>
 auto* find_in(Contacts& contacts, ProxyPair pair) {
-    TUMBLE_CHECK(pair.a < pair.b);
-    const auto found = std::lower_bound(contacts.begin(), contacts.end(), pair,
-                                        [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
+    const auto found = lower_bound_of(contacts.begin(), contacts.end(), pair);
     return found != contacts.end() && found->shapes == pair ? &*found : nullptr;
 }
 
@@ -18,6 +24,24 @@ auto* find_in(Contacts& contacts, ProxyPair pair) {
 
 Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
 const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
+
+template <class PairOf, class Make>
+void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
+    const std::size_t old_size = contacts_.size(), size = old_size + count;
+    if (size > contacts_.capacity())
+        // The first reservation has little spare room, as contacts are large, and in most worlds few are added later.
+        contacts_.reserve(std::max(size + size / 8, contacts_.capacity() + contacts_.capacity() / 2));
+    contacts_.resize(size);
+    Contact* const begin = contacts_.data();
+    Contact *from = begin + old_size, *to = begin + size;
+    while (count > 0) {
+        Contact* const position = lower_bound_of(begin, from, pair_of(--count));
+        TUMBLE_CHECK((position == from || position->shapes != pair_of(count)));
+        to = std::copy_backward(position, from, to);
+        from = position;
+        *--to = make(count);
+    }
+}
 
 void ContactStore::add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
                        const Tuning& tuning) {
@@ -36,10 +60,8 @@ void ContactStore::remove(const ChunkLists<std::uint32_t>& indices) {
     std::size_t kept = 0, next = 0;
     const auto keep_up_to = [&](std::size_t end) {
         TUMBLE_CHECK(next <= end);
-        if (kept == next)
-            kept = end;
-        else
-            for (; next < end; ++next) contacts_[kept++] = contacts_[next];
+        if (kept < next) std::copy(contacts_.data() + next, contacts_.data() + end, contacts_.data() + kept);
+        kept += end - next;
         next = end + 1;
     };
     indices.for_each(keep_up_to);

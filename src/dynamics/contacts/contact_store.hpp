@@ -57,20 +57,6 @@ private:
     std::vector<Contact> woken_;     // in order of waking
 };
 
-template <class PairOf, class Make>
-void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
-    std::size_t from = contacts_.size(), to = from + count;
-    if (to > contacts_.capacity())
-        contacts_.reserve(to + to / 8);  // less than usual: a contact is large, and the number of contacts settles
-    contacts_.resize(to);
-    TUMBLE_CHECK(to - from == count);
-    while (count > 0) {
-        TUMBLE_CHECK((from == 0 || contacts_[from - 1].shapes != pair_of(count - 1)));
-        const bool is_last = from == 0 || contacts_[from - 1].shapes < pair_of(count - 1);
-        contacts_[--to] = is_last ? make(--count) : contacts_[--from];
-    }
-}
-
 template <class Keep>
 void ContactStore::keep_if(Keep&& keep) {
     std::size_t kept = 0;
