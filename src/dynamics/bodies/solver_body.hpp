@@ -4,6 +4,7 @@
 // distance from the origin.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -57,6 +58,10 @@ constexpr Rotation compose(Rotation second, Rotation first) {
 constexpr Rotation rotation_between(Rotation from, Rotation to) {
     return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};
 }
+
+// At least the size of a rotation's angle, rad, without an arc tangent: an angle of up to a quarter turn is at most
+// pi / 2 times its sine, and any is at most pi.
+inline float angle_bound(Rotation turn) { return turn.c > 0.0f ? 1.58f * std::abs(turn.s) : 3.15f; }
 
 // The rotation by a small angle (rad) without trigonometry. With t = tan(angle / 2), c = (1 - t^2) / (1 + t^2) and
 // s = 2 t / (1 + t^2) have unit length; the series t = angle / 2 + angle^3 / 24 has the error angle^5 / 120.

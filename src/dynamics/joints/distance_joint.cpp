@@ -19,7 +19,7 @@ void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {
 void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const JointLine line = JointLine::now(bodies_, bodies);
     const JointRow row = line.row(bodies_, bodies);
-    drive_.solve(bodies_, row, line.length, def_.length, context, use_bias, bodies);
+    drive_.solve(bodies_, row, KnownPosition{line.length}, def_.length, context, use_bias, bodies);
     if (!is_rod() || !context.iterates_equalities) return;
     const float error = line.length - def_.length;
     if (is_lone_ && use_bias) return solve_lone_rod(bodies_, line, row, error, context, rod_impulse_, bodies);

@@ -35,7 +35,7 @@ void PrismaticJoint::warm_start(std::span<SolverBody> bodies) const {
 
 void PrismaticJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const Rail now = rail(bodies);
-    drive_.solve(bodies_, now.free, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
+    drive_.solve(bodies_, now.free, KnownPosition{dot(now.axis, now.separation)}, 0.0f, context, use_bias, bodies);
     if (context.iterates_equalities)
         solve_block(bodies_, now.constrained, context.equality_softness(use_bias), constrained_error(now, bodies),
                     impulse_, bodies);

@@ -19,10 +19,8 @@ void RevoluteJoint::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    if (!drive_.is_idle()) {
-        const float angle = drive_.needs_value() ? angle_.now(bodies_, bodies) : 0.0f;
-        drive_.solve(bodies_, kAngularRow, angle, 0.0f, context, use_bias, bodies);
-    }
+    if (!drive_.is_idle())
+        drive_.solve(bodies_, kAngularRow, AnglePosition{angle_, bodies_, bodies}, 0.0f, context, use_bias, bodies);
     if (!context.iterates_equalities) return;
     if (is_lone_ && use_bias) return solve_lone_point(bodies_, context, impulse_, bodies);
     solve_block(bodies_, PointBlock::make(bodies_, bodies), context.equality_softness(use_bias),

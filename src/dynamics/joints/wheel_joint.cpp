@@ -27,8 +27,9 @@ void WheelJoint::warm_start(std::span<SolverBody> bodies) const {
 
 void WheelJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const Strut now = strut(bodies);
-    axle_.solve(bodies_, kAngularRow, 0.0f, 0.0f, context, use_bias, bodies);
-    suspension_.solve(bodies_, now.along, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
+    axle_.solve(bodies_, kAngularRow, KnownPosition{}, 0.0f, context, use_bias, bodies);
+    suspension_.solve(bodies_, now.along, KnownPosition{dot(now.axis, now.separation)}, 0.0f, context, use_bias,
+                      bodies);
     if (!context.iterates_equalities) return;
     solve_equality(bodies_, now.across, context.equality_softness(use_bias), dot(perp(now.axis), now.separation),
                    across_impulse_, bodies);

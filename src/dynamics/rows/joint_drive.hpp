@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "debug/check.hpp"
 #include "dynamics/rows/joint_row.hpp"
+#include "dynamics/rows/row_position.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
@@ -37,20 +39,27 @@ public:
     // The accumulated impulse along the row (N m s or N s), positive towards greater values.
     float impulse() const { return spring_impulse_ + motor_impulse_ + lower_impulse_ - upper_impulse_; }
 
-    // Solves spring, motor and limits. `value` is the position of the row now (rad or m), `rest` the spring's rest
-    // value. Springs are solved in the pass with bias only: solved again in the relaxing pass, they would damp twice.
-    void solve(const JointBodies& joint, const JointRow& row, float value, float rest, const JointContext& context,
-               bool use_bias, std::span<SolverBody> all) {
+    // Solves spring, motor and limits. `position` is that of the row now (row_position.hpp), `rest` the spring's rest
+    // position. Springs are solved in the pass with bias only: solved again in the relaxing pass, they would damp
+    // twice.
+    template <class Row, class Position>
+    void solve(const JointBodies& joint, const Row& row, const Position& position, float rest,
+               const JointContext& context, bool use_bias, std::span<SolverBody> all) {
         TUMBLE_CHECK(!(lower_impulse_ < 0.0f || upper_impulse_ < 0.0f));
+        LazyPosition lazy(position);
         if (spring_ && use_bias)
-            solve_equality(joint, row, spring_softness(*spring_, context.h), value - rest, spring_impulse_, all);
-        if (motor_)
+            solve_equality(joint, row, spring_softness(*spring_, context.h), lazy.now() - rest, spring_impulse_, all);
+        if (motor_) {
+            const float value = may_slow_motor(lazy.range(), context.inv_h) ? lazy.now() : lazy.range().lower;
             solve_bounded_row(joint, row, Softness{}, -motor_speed(value, context.inv_h),
                               context.h * motor_->max_effort, motor_impulse_, all);
-        if (limits_) {
-            solve_limit(joint, row, 1.0f, value - limits_->lower, context, use_bias, lower_impulse_, all);
-            solve_limit(joint, row, -1.0f, limits_->upper - value, context, use_bias, upper_impulse_, all);
         }
+        if (!limits_) return;
+        const float lower = limits_->lower, upper = limits_->upper;
+        if (may_reach_limit(joint, row, 1.0f, lazy.range().lower - lower, context, lower_impulse_, all))
+            solve_limit(joint, row, 1.0f, lazy.now() - lower, context, use_bias, lower_impulse_, all);
+        if (may_reach_limit(joint, row, -1.0f, upper - lazy.range().upper, context, upper_impulse_, all))
+            solve_limit(joint, row, -1.0f, upper - lazy.now(), context, use_bias, upper_impulse_, all);
     }
 
     // Takes over the accumulated impulses of the drive that this one replaces, of each part that this one has.
@@ -77,6 +86,12 @@ private:
         const float slowest = std::min((limits_->lower - value) * inv_h, 0.0f);
         const float fastest = std::max((limits_->upper - value) * inv_h, 0.0f);
         return std::clamp(motor_->speed, slowest, fastest);
+    }
+
+    // False if motor_speed() is the motor's speed at all positions of the range.
+    bool may_slow_motor(const PositionRange& range, float inv_h) const {
+        return limits_ && !(motor_->speed >= (limits_->lower - range.lower) * inv_h &&
+                            motor_->speed <= (limits_->upper - range.upper) * inv_h);
     }
 
     std::optional<JointSpring> spring_;

@@ -28,8 +28,11 @@ inline JointRow operator*(float factor, const JointRow& row) {
     return {factor * row.axis, factor * row.angular_a, factor * row.angular_b, row.arm_a, row.arm_b};
 }
 
-// The relative rotation of the bodies: w_B - w_A.
-inline constexpr JointRow kAngularRow{{}, 1.0f, 1.0f, {}, {}};
+// The relative rotation of the bodies: w_B - w_A. As a type of its own it neither reads nor writes linear velocities.
+struct AngularRow {
+    constexpr operator JointRow() const { return {{}, 1.0f, 1.0f, {}, {}}; }
+};
+inline constexpr AngularRow kAngularRow;
 
 // The velocity of B's anchor relative to A's along an axis that does not rotate.
 inline JointRow point_row(Vec2 axis, Vec2 arm_a, Vec2 arm_b) {
@@ -62,6 +65,19 @@ inline void apply_row(const JointBodies& joint, const JointRow& row, float impul
     b.angular_velocity += joint.inv_inertia_b * impulse * row.angular_b;
 }
 
+inline float row_velocity(const JointBodies& joint, AngularRow, std::span<const SolverBody> all) {
+    TUMBLE_CHECK(joint.a < all.size());
+    TUMBLE_CHECK(joint.b < all.size());
+    return all[joint.b].angular_velocity - all[joint.a].angular_velocity;
+}
+
+inline void apply_row(const JointBodies& joint, AngularRow, float impulse, std::span<SolverBody> all) {
+    TUMBLE_CHECK(joint.a < all.size());
+    TUMBLE_CHECK(joint.b < all.size());
+    all[joint.a].angular_velocity -= joint.inv_inertia_a * impulse;
+    all[joint.b].angular_velocity += joint.inv_inertia_b * impulse;
+}
+
 // The change of the velocity of `other` by a unit impulse along `row`; of a row itself its inverse effective mass K.
 inline float row_response(const JointBodies& joint, const JointRow& row, const JointRow& other) {
     return dot(scaled(joint.inv_mass_a + joint.inv_mass_b, row.axis), other.axis) +
@@ -86,6 +102,11 @@ inline float row_mass(const JointBodies& joint, const JointRow& row) {
     return damped_inverse(response, dead_response(joint, row));
 }
 
+inline float row_mass(const JointBodies& joint, AngularRow) {
+    const float response = joint.inv_inertia_a + joint.inv_inertia_b;
+    return response > 0.0f ? 1.0f / response : 0.0f;
+}
+
 // row_change() and solve_equality() are for rows of two bodies and for coupled rows (coupled_row.hpp).
 
 // The change of the accumulated `impulse` that removes `speed` (velocity plus bias) from the row, softened. It is not
@@ -107,8 +128,9 @@ void solve_equality(const Bodies& joint, const Row& row, const Softness& softnes
 }
 
 // Brings the velocity of a row to -bias, softened, with an accumulated impulse of at most max_impulse in size.
-inline void solve_bounded_row(const JointBodies& joint, const JointRow& row, const Softness& softness, float bias,
-                              float max_impulse, float& impulse, std::span<SolverBody> all) {
+template <class Row>
+void solve_bounded_row(const JointBodies& joint, const Row& row, const Softness& softness, float bias,
+                       float max_impulse, float& impulse, std::span<SolverBody> all) {
     const float speed = row_velocity(joint, row, all) + bias;
     TUMBLE_CHECK(max_impulse >= 0.0f);
     const float wanted = impulse + row_change(joint, row, softness, speed, impulse);
@@ -120,8 +142,9 @@ inline void solve_bounded_row(const JointBodies& joint, const JointRow& row, con
 // Solves the limit gap >= 0, where `gap` (m or rad) is the distance left to the limit, negative beyond it, and grows
 // along the row times `side` (+1 for a lower limit, -1 for an upper one). A positive gap is speculative, as between
 // shapes: the impulse, which is never negative, stops only what would cross the limit in this sub-step.
-inline void solve_limit(const JointBodies& joint, const JointRow& row, float side, float gap,
-                        const JointContext& context, bool use_bias, float& impulse, std::span<SolverBody> all) {
+template <class Row>
+void solve_limit(const JointBodies& joint, const Row& row, float side, float gap, const JointContext& context,
+                 bool use_bias, float& impulse, std::span<SolverBody> all) {
     TUMBLE_CHECK((side == 1.0f || side == -1.0f));
     const bool is_free = gap > 0.0f;
     const Softness softness = !is_free && use_bias ? context.softness : Softness{};
@@ -130,6 +153,14 @@ inline void solve_limit(const JointBodies& joint, const JointRow& row, float sid
     const float total = std::max(impulse + row_change(joint, row, softness, speed, impulse), 0.0f);
     apply_row(joint, row, side * (total - impulse), all);
     impulse = total;
+}
+
+// False if solve_limit() would change nothing, as the row does not cross the limit in this sub-step. `gap` may be a
+// lower bound of the gap.
+template <class Row>
+bool may_reach_limit(const JointBodies& joint, const Row& row, float side, float gap, const JointContext& context,
+                     float impulse, std::span<const SolverBody> all) {
+    return impulse != 0.0f || !(gap > 0.0f) || !(gap * context.inv_h + side * row_velocity(joint, row, all) >= 0.0f);
 }
 
 }  // namespace tumble
