@@ -35,19 +35,23 @@ public:
     }
 
 private:
+    static bool is_bullet(const SolverBody& body) { return (body.flags & kBulletBody) != 0; }
+
     void find_bodies() {
         fast_.clear();
         const BodyStore& bodies = simulation_.bodies;
+        const bool has_bullets = std::any_of(bodies.solver_bodies.begin(), bodies.solver_bodies.end(), is_bullet);
         for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
             const SolverBody& body = bodies.solver_bodies[i];
             if (!(body.flags & kDynamicBody)) continue;
             const BodyMotion& motion = bodies.moving[i].motion;
             if (displacement_in_step(body, motion) <= kContinuousPart * motion.smallest_extent) continue;
             const std::uint32_t index = bodies.moving[i].body;
+            if (!has_bullets && !may_reach_immovable(simulation_, index)) continue;
             FastBody fast;
             fast.body = index;
             fast.sweep = sweep_of(bodies, index);
-            fast.is_bullet = (body.flags & kBulletBody) != 0;
+            fast.is_bullet = is_bullet(body);
             for (const ShapeId shape : bodies.records[index].shapes)
                 fast.box = merge(fast.box, box_of_sweep(simulation_.shapes[shape.index].shape, fast.sweep));
             fast_.push_back(fast);

@@ -43,11 +43,13 @@ public:
 
     // Of a body with impacts, the chord to the last of them is bounded, and the motion after it.
     void run() {
-        const Sweep whole = sweep_of(simulation_.bodies, body_);
         const std::uint32_t index = find_swept(simulation_, body_);
         const SweptBody* const swept =
             index == kNotSwept ? nullptr : &simulation_.scratch->ordered_impacts.swept[index];
-        if (!swept || swept->impact_count == 0) {
+        const bool has_impacts = swept && swept->impact_count > 0;
+        if (!has_impacts && !may_reach_immovable(simulation_, body_)) return;
+        const Sweep whole = sweep_of(simulation_.bodies, body_);
+        if (!has_impacts) {
             bound(whole, 0.0, 1.0);
             return;
         }

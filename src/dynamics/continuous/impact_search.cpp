@@ -19,10 +19,14 @@ namespace {
 // An angle below an eighth of a turn, over its sine, is at most this.
 constexpr double kAnglePerSine = 1.12;
 
-// How far the farthest point of a body is from where its free motion would have taken it, m.
-float deviation(const SolverBody& body, const FreeMotion& free, const BodyMotion& motion) {
+// True if the farthest point of a body is farther than `most` (m) from where its free motion would have taken it. The
+// sum of the turns bounds their difference: few bodies need an arc tangent.
+bool deviates(const SolverBody& body, const FreeMotion& free, const BodyMotion& motion, float most) {
+    const float off_path = length(body.delta_position - free.path);
+    const float turns = angle_bound(body.delta_rotation) + std::abs(free.turn);
+    if (off_path + turns * motion.reach <= most) return false;
     const double turn = angle(body.delta_rotation) - static_cast<double>(free.turn);
-    return length(body.delta_position - free.path) + std::abs(static_cast<float>(turn)) * motion.reach;
+    return off_path + std::abs(static_cast<float>(turn)) * motion.reach > most;
 }
 
 bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
@@ -35,8 +39,8 @@ bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
 bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
     const std::vector<FreeMotion>& foreseen = simulation.scratch->free_motions;
-    return index >= foreseen.size() || deviation(simulation.bodies.solver_bodies[index], foreseen[index], motion) >
-                                           kContinuousPart * motion.smallest_extent;
+    return index >= foreseen.size() || deviates(simulation.bodies.solver_bodies[index], foreseen[index], motion,
+                                                kContinuousPart * motion.smallest_extent);
 }
 
 // True if the solver has left two bodies with an overlap of more than `deep` (m), although their points moved by more
