@@ -145,8 +145,8 @@ private:
     ImpactPoint& point(const ImpactRow& row) { return group_.points[row.point]; }
 
     void push(const ImpactRow& row, const ImpactDirection& d, double impulse, Twist ImpactBody::*target) {
-        Twist& a = group_.bodies[point(row).a].*target;
-        Twist& b = group_.bodies[point(row).b].*target;
+        Twist& a = group_.bodies[row.a].*target;
+        Twist& b = group_.bodies[row.b].*target;
         a = a + impulse * d.push_a;
         b = b + impulse * d.push_b;
     }
@@ -167,7 +167,7 @@ private:
     }
 
     double speed(const ImpactRow& row, const ImpactDirection& d, Twist ImpactBody::*target) {
-        return d.speed + speed_along(d, group_.bodies[point(row).a].*target, group_.bodies[point(row).b].*target);
+        return d.speed + speed_along(d, group_.bodies[row.a].*target, group_.bodies[row.b].*target);
     }
 
     double change(const ImpactRow& row, ImpactDirection& d, double impulse, Twist ImpactBody::*target) {
@@ -217,23 +217,24 @@ private:
             return speed_along(d, other.normal.push_a, other.normal.push_b) * other.normal.impulse;
         };
         return find_normal(row, speed(row, row.normal, target) - by_other(row.normal),
-                           speed(row, row.tangent, target) - by_other(row.tangent));
+                           [&] { return speed(row, row.tangent, target) - by_other(row.tangent); });
     }
 
     // The impulse x >= 0 of a row at the present speeds, which contain its present impulses.
-    static double find_normal(const ImpactRow& row, double normal_speed, double tangent_speed) {
+    template <class TangentSpeed>
+    static double find_normal(const ImpactRow& row, double normal_speed, TangentSpeed&& tangent_speed) {
         const ImpactDirection &normal = row.normal, &tangent = row.tangent;
         const double c = row.tangent_coupling;
         if (c == 0.0 || row.friction == 0.0) return std::max(normal.impulse - normal.mass * normal_speed, 0.0);
         const PointResponse response{1.0 / normal.mass, 1.0 / tangent.mass, c};
         return find_point_impulse(response, normal_speed - response.normal * normal.impulse - c * tangent.impulse,
-                                  tangent_speed - c * normal.impulse - response.tangent * tangent.impulse,
+                                  tangent_speed() - c * normal.impulse - response.tangent * tangent.impulse,
                                   friction_with_bounce(row));
     }
 
     double solve_normal(ImpactRow& row, Twist ImpactBody::*target) {
         ImpactDirection& d = row.normal;
-        const double solved = find_normal(row, speed(row, d, target), speed(row, row.tangent, target));
+        const double solved = find_normal(row, speed(row, d, target), [&] { return speed(row, row.tangent, target); });
         return change(row, d, relaxed(d.impulse, solved, relaxation_), target);
     }
 
@@ -242,6 +243,7 @@ private:
 
     double solve_tangent(ImpactRow& row) {
         const double bound = friction_with_bounce(row) * row.normal.impulse;
+        if (bound == 0.0 && row.tangent.impulse == 0.0) return 0.0;
         return solve(row, row.tangent, -bound, bound, &ImpactBody::change);
     }
 

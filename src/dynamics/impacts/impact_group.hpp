@@ -77,7 +77,7 @@ struct ImpactDirection {
 
 // A point during one round.
 struct ImpactRow {
-    std::size_t point = 0;
+    std::size_t point = 0, a = 0, b = 0;  // indices of the point and of its bodies
     ImpactDirection normal, tangent;
     double friction = 0.0;
     double restitution = 0.0;  // 0 if it does not bounce in this round

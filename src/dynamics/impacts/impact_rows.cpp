@@ -12,10 +12,6 @@ namespace {
 // Two rows whose normals hardly differ in effect are solved one after the other.
 constexpr double kLeastDeterminant = 1e-9;
 
-double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a, const Twist& b) {
-    return dot(b.linear - a.linear, axis) + b.angular * across_b - a.angular * across_a;
-}
-
 // The velocity of B's point against A's along the normal.
 double normal_speed(const ImpactPoint& point, const Twist& a, const Twist& b) {
     return speed_along(point.normal, cross(point.arm_a, point.normal), cross(point.arm_b, point.normal), a, b);
@@ -55,10 +51,6 @@ double effective_restitution(const ImpactGroup& group, const ImpactPoint& point)
 
 }  // namespace
 
-double speed_along(const ImpactDirection& d, const Twist& a, const Twist& b) {
-    return speed_along(d.axis, d.across_a, d.across_b, a, b);
-}
-
 double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point) {
     TUMBLE_CHECK(point.a < group.bodies.size());
     TUMBLE_CHECK(point.b < group.bodies.size());
@@ -78,6 +70,8 @@ ImpactRow make_row(const ImpactGroup& group, std::size_t index) {
     const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
     ImpactRow row;
     row.point = index;
+    row.a = point.a;
+    row.b = point.b;
     row.normal = make_direction(point, point.normal, a, b);
     row.normal.speed = speed_along(row.normal, a.velocity, b.velocity);
     row.tangent = make_direction(point, -perp(point.normal), a, b);
@@ -94,6 +88,8 @@ ImpactRow make_hold_row(const ImpactGroup& group, std::size_t index) {
     const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
     ImpactRow row;
     row.point = index;
+    row.a = point.a;
+    row.b = point.b;
     row.normal = make_direction(point, point.normal, a, b);
     row.normal.speed = speed_along(row.normal, a.mean_velocity + a.change, b.mean_velocity + b.change);
     return row;

@@ -14,8 +14,13 @@ namespace tumble {
 double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point);
 double approach_ahead(const ImpactGroup& group, const ImpactPoint& point);
 
-// The velocity of B's point against A's along the direction, of two bodies that move so, m/s.
-double speed_along(const ImpactDirection& direction, const Twist& a, const Twist& b);
+// The velocity of B's point against A's along an axis, of two bodies that move so, m/s. `across` is arm x axis, m.
+inline double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a, const Twist& b) {
+    return dot(b.linear - a.linear, axis) + b.angular * across_b - a.angular * across_a;
+}
+inline double speed_along(const ImpactDirection& d, const Twist& a, const Twist& b) {
+    return speed_along(d.axis, d.across_a, d.across_b, a, b);
+}
 
 // True if the point has a restitution, and has bounced in fewer than kMaxBounces rounds.
 bool can_bounce(const ImpactPoint& point);
