@@ -157,7 +157,8 @@ TEST_CASE("the range of a joint angle contains it") {
         angle.prepare(a, b, random.between(-3.0f, 3.0f));
         const float size = std::pow(10.0f, random.between(-9.0f, 0.5f));
         std::array<SolverBody, 3> bodies;
-        for (std::size_t body : {1, 2}) bodies[body].delta_rotation = make_rotation(size * random.between(-1.0f, 1.0f));
+        for (SolverBody* const body : {&bodies[1], &bodies[2]})
+            body->delta_rotation = make_rotation(size * random.between(-1.0f, 1.0f));
         const JointBodies joint = random_joint(random);
         const PositionRange range = angle.range(joint, bodies);
         const float now = angle.now(joint, bodies);
