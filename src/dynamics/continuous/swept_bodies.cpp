@@ -1,6 +1,7 @@
 #include "dynamics/continuous/swept_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "debug/check.hpp"

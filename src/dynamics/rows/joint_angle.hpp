@@ -12,10 +12,16 @@
 
 namespace tumble {
 
-// The angle from rotation `a` to rotation `b`, rad in (-pi, pi]; NaN if one of them is not finite.
-inline double relative_angle(Rotation a, Rotation b) {
+// Sine and cosine of the angle from rotation `a` to rotation `b`, in double.
+inline SinCos relative_sin_cos(Rotation a, Rotation b) {
     const double ac = a.c, as = a.s, bc = b.c, bs = b.s;
-    return arc_tangent(ac * bs - as * bc, ac * bc + as * bs);
+    return {ac * bs - as * bc, ac * bc + as * bs};
+}
+
+// That angle, rad in (-pi, pi]; NaN if one of them is not finite.
+inline double relative_angle(Rotation a, Rotation b) {
+    const SinCos v = relative_sin_cos(a, b);
+    return arc_tangent(v.sin, v.cos);
 }
 
 // The arc tangent of |t| <= 1/8 by its series. The first term left out is below 2e-14 of it.
@@ -28,10 +34,9 @@ inline double small_arc_tangent(double t) {
 
 // relative_angle() to float precision, and in less time for the small angles of a sub-step.
 inline float relative_turn(Rotation a, Rotation b) {
-    const double ac = a.c, as = a.s, bc = b.c, bs = b.s;
-    const double sine = ac * bs - as * bc, cosine = ac * bc + as * bs;
-    const bool is_small = std::abs(sine) < 0.125 * cosine;
-    return static_cast<float>(is_small ? small_arc_tangent(sine / cosine) : arc_tangent(sine, cosine));
+    const SinCos v = relative_sin_cos(a, b);
+    const bool is_small = std::abs(v.sin) < 0.125 * v.cos;
+    return static_cast<float>(is_small ? small_arc_tangent(v.sin / v.cos) : arc_tangent(v.sin, v.cos));
 }
 
 class JointAngle {

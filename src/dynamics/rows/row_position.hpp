@@ -15,8 +15,7 @@ struct KnownPosition {
     PositionRange range() const { return {value, value}; }
 };
 
-// Finds a position once, when it is first needed. `position.range()` takes less time than `position.now()`, which it
-// contains.
+// Finds a position once, when it is first needed. `position.range()` contains `position.now()` and takes less time.
 template <class Position>
 class LazyPosition {
 public:
