@@ -256,7 +256,7 @@ constexpr const char* kUnnoticed[] = {
     ".16[].0#",
     // Joints are unsorted: sorting them once more changes nothing.
     ".19",
-    // Working data of the kinds of joints, which prepare() derives from definitions and poses.
+    // Working data of the kinds of joints, which prepare() and update_rows() derive from definitions and poses.
     ".20[].", ".23[].", ".26[].", ".29[].", ".32[].", ".35[].", ".38[].", ".41[].", ".44[].",
     // Contacts, awake and asleep: anchors, is_new, is_bouncing, is_struck, is_touching, was_hit, the approach and the
     // distance of the surfaces are set before they are read. No shape that sleeps is round or bounces.

@@ -12,18 +12,16 @@ void DistanceJoint::prepare(const BodyStore& bodies) {
     line_ = JointLine::along(bodies_.separation_at_start());
 }
 
-void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {
-    apply_row(bodies_, JointLine::now(bodies_, bodies).row(bodies_, bodies), impulse(), bodies);
-}
+void DistanceJoint::update_rows(std::span<const SolverBody> bodies) { now_ = LineRow::make(bodies_, bodies); }
+
+void DistanceJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, now_.row, impulse(), bodies); }
 
 void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    const JointLine line = JointLine::now(bodies_, bodies);
-    const JointRow row = line.row(bodies_, bodies);
-    drive_.solve(bodies_, row, KnownPosition{line.length}, def_.length, context, use_bias, bodies);
+    drive_.solve(bodies_, now_.row, KnownPosition{now_.line.length}, def_.length, context, use_bias, bodies);
     if (!is_rod() || !context.iterates_equalities) return;
-    const float error = line.length - def_.length;
-    if (is_lone_ && use_bias) return solve_lone_rod(bodies_, line, row, error, context, rod_impulse_, bodies);
-    solve_equality(bodies_, row, context.equality_softness(use_bias), error, rod_impulse_, bodies);
+    const float error = now_.line.length - def_.length;
+    if (is_lone_ && use_bias) return solve_lone_rod(bodies_, now_.line, now_.row, error, context, rod_impulse_, bodies);
+    solve_equality(bodies_, now_.row, context.equality_softness(use_bias), error, rod_impulse_, bodies);
 }
 
 void DistanceJoint::take_over(const DistanceJoint& old) {

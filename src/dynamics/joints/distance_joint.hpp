@@ -22,6 +22,7 @@ public:
     void prepare(const BodyStore& bodies);
     // Whether it is the only joint with rows of its dynamic bodies in this step.
     void set_lone(bool is_lone) { is_lone_ = is_lone; }
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -29,8 +30,8 @@ public:
     template <class Visitor>
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
         if (!is_rod()) return;
-        const JointLine line = JointLine::now(bodies_, bodies);
-        visit(make_equality(bodies_, line.row(bodies_, bodies), line.length - def_.length, rod_impulse_));
+        const LineRow at = LineRow::make(bodies_, bodies);
+        visit(make_equality(bodies_, at.row, at.line.length - def_.length, rod_impulse_));
     }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse() * line_.axis, 0.0f}; }
     float position() const { return line_.length; }
@@ -39,8 +40,7 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.drive_, self.line_.axis, self.line_.length, self.rod_impulse_,
-              self.is_lone_);
+        visit(self.def_, self.bodies_, self.drive_, self.line_, self.now_, self.rod_impulse_, self.is_lone_);
     }
 
 private:
@@ -52,6 +52,7 @@ private:
     JointBodies bodies_;
     JointDrive drive_;
     JointLine line_;            // at the start of the step
+    LineRow now_;               // of the last update_rows()
     float rod_impulse_ = 0.0f;  // on B along the line, positive pushes apart, N s
     bool is_lone_ = false;      // in this step
 };

@@ -13,6 +13,7 @@ public:
     explicit FilterJoint(const FilterJointDef&) {}
 
     void prepare(const BodyStore&) {}
+    void update_rows(std::span<const SolverBody>) {}
     void warm_start(std::span<SolverBody>) const {}
     void solve(const JointContext&, bool, std::span<SolverBody>) {}
 

@@ -11,14 +11,22 @@ CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
     return {side_a_.row(bodies_.first, bodies), side_b_.row(bodies_.second, bodies)};
 }
 
-void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row(bodies), impulse_, bodies); }
+float GearJoint::measure_error(std::span<const SolverBody> bodies) {
+    const float moved =
+        side_a_.change_in_step(bodies_.first, bodies) + bodies_.ratio * side_b_.change_in_step(bodies_.second, bodies);
+    return static_cast<float>(slip_) + moved;
+}
+
+void GearJoint::update_rows(std::span<const SolverBody> bodies) {
+    row_ = row(bodies);
+    error_ = measure_error(bodies);
+}
+
+void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row_, impulse_, bodies); }
 
 void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     if (!context.iterates_equalities) return;
-    const float moved =
-        side_a_.change_in_step(bodies_.first, bodies) + bodies_.ratio * side_b_.change_in_step(bodies_.second, bodies);
-    solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved,
-                   impulse_, bodies);
+    solve_equality(bodies_, row_, context.equality_softness(use_bias), error_, impulse_, bodies);
 }
 
 // Keeps the slip. The last measurements are kept only if the new definition measures the same motions.

@@ -45,8 +45,8 @@ double GearSide::start_step(const BodyStore& bodies, JointBodies& joint) {
 
 JointRow GearSide::row(const JointBodies& joint, std::span<const SolverBody> all) const {
     if (!slides_) return kAngularRow;
-    return sliding_row(axis_now(joint, all), joint.current_arm_a(all), joint.current_separation(all),
-                       joint.current_arm_b(all));
+    const Vec2 arm_a = joint.current_arm_a(all), arm_b = joint.current_arm_b(all);
+    return sliding_row(axis_now(joint, all), arm_a, joint.separation_of(arm_a, arm_b, all), arm_b);
 }
 
 float GearSide::change_in_step(const JointBodies& joint, std::span<const SolverBody> all) {

@@ -180,7 +180,7 @@ void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
 }
 
 void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew) {
-    constexpr std::size_t kLeastJoints = 128;  // in a chunk: about 3 us of work
+    constexpr std::size_t kLeastJoints = 96;  // in a chunk: about 3 us of work
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
     is_unsorted_ = false;
     for_each_list(*this, [](const auto& list) {
@@ -192,6 +192,7 @@ void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew
         crew.for_each(list.awake.size(), kLeastJoints, [&](std::size_t i) {
             auto& joint = list.joints[list.awake[i].slot];
             joint.prepare(bodies);
+            joint.update_rows(bodies.solver_bodies);
             if constexpr (requires { joint.set_lone(true); }) joint.set_lone(groups_.is_lone(list.awake[i].joint));
         });
     });
@@ -205,13 +206,16 @@ void JointStore::warm_start(std::span<SolverBody> bodies) const {
 void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     TUMBLE_CHECK(context.h > 0.0f);
     TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
-    if (!has_direct()) return for_each_awake(*this, [&](auto& joint) { joint.solve(context, use_bias, bodies); });
     JointContext without_equalities = context;
     without_equalities.iterates_equalities = false;
+    const bool has_any_direct = has_direct();
     for_each_list(*this, [&](auto& list) {
-        for (const AwakeJoint& awake : list.awake)
-            list.joints[awake.slot].solve(groups_.is_direct(awake.joint) ? without_equalities : context, use_bias,
-                                          bodies);
+        for (const AwakeJoint& awake : list.awake) {
+            auto& joint = list.joints[awake.slot];
+            if (!use_bias) joint.update_rows(bodies);
+            const bool is_direct = has_any_direct && groups_.is_direct(awake.joint);
+            joint.solve(is_direct ? without_equalities : context, use_bias, bodies);
+        }
     });
 }
 

@@ -1,5 +1,6 @@
-// All joints of a world, in one array for each kind. The kinds have the same member functions: prepare, warm_start,
-// solve, reaction, position, take_over, forget_impulses. README.md lists the files to touch for a new kind.
+// All joints of a world, in one array for each kind. The kinds have the same member functions: prepare,
+// update_rows, warm_start, solve, visit_equalities, reaction, position, take_over, forget_impulses. README.md lists the
+// files to touch for a new kind.
 //
 // A joint keeps its slot in the array of its kind from creation to destruction. Each kind lists its awake joints in
 // order of their ids, and a step visits only these: a sleeping joint costs nothing.
@@ -77,6 +78,8 @@ public:
 
     bool has_direct() const { return groups_.has_direct(); }
     void warm_start(std::span<SolverBody> bodies) const;
+    // Solves each joint once. The relaxing pass, without bias, updates the rows first: the bodies have moved since the
+    // pass with bias. In a loop of its own, the update would read all joints once more.
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
     // Calls visit(EqualityRow) for each equality constraint that the direct solver takes, at the given deltas of the

@@ -11,9 +11,11 @@ void MotorJoint::prepare(const BodyStore& bodies) {
     angle_.prepare(a, b, def_.reference_angle);
 }
 
+void MotorJoint::update_rows(std::span<const SolverBody> bodies) { block_ = PointBlock::make(bodies_, bodies); }
+
 void MotorJoint::warm_start(std::span<SolverBody> bodies) const {
     apply_row(bodies_, kAngularRow, angular_impulse_, bodies);
-    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
+    block_.apply(bodies_, impulse_, bodies);
 }
 
 // The velocity bias of each row is the spring's rate times the error, less the wanted velocity.
@@ -25,12 +27,12 @@ void MotorJoint::solve(const JointContext& context, bool use_bias, std::span<Sol
     if (def_.spring) {
         softness = spring_softness(*def_.spring, context.h);
         angular_error = angle_.now(bodies_, bodies);
-        error = bodies_.current_separation(bodies);
+        error = block_.separation(bodies_, bodies);
     }
     solve_bounded_row(bodies_, kAngularRow, softness, softness.bias_rate * angular_error - def_.angular_velocity,
                       context.h * def_.max_torque, angular_impulse_, bodies);
-    solve_bounded_block(bodies_, PointBlock::make(bodies_, bodies), softness,
-                        softness.bias_rate * error - def_.velocity, context.h * def_.max_force, impulse_, bodies);
+    solve_bounded_block(bodies_, block_, softness, softness.bias_rate * error - def_.velocity,
+                        context.h * def_.max_force, impulse_, bodies);
 }
 
 void MotorJoint::take_over(const MotorJoint& old) {

@@ -18,6 +18,7 @@ public:
     explicit MotorJoint(const MotorJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -31,12 +32,13 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.angular_impulse_);
+        visit(self.def_, self.bodies_, self.block_, self.angle_, self.impulse_, self.angular_impulse_);
     }
 
 private:
     MotorJointDef def_;
     JointBodies bodies_;
+    PointBlock block_;  // of the last update_rows()
     JointAngle angle_;
     Vec2 impulse_;                  // on B, N s
     float angular_impulse_ = 0.0f;  // on B, N m s

@@ -9,16 +9,15 @@ void MouseJoint::prepare(const BodyStore& bodies) {
                                 def_.anchor_b);
 }
 
-void MouseJoint::warm_start(std::span<SolverBody> bodies) const {
-    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
-}
+void MouseJoint::update_rows(std::span<const SolverBody> bodies) { block_ = PointBlock::make(bodies_, bodies); }
+
+void MouseJoint::warm_start(std::span<SolverBody> bodies) const { block_.apply(bodies_, impulse_, bodies); }
 
 void MouseJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     if (!use_bias) return;  // springs are solved in the pass with bias only, as in JointDrive
     const Softness softness = spring_softness(def_.spring, context.h);
-    solve_bounded_block(bodies_, PointBlock::make(bodies_, bodies), softness,
-                        softness.bias_rate * bodies_.current_separation(bodies), context.h * def_.max_force, impulse_,
-                        bodies);
+    solve_bounded_block(bodies_, block_, softness, softness.bias_rate * block_.separation(bodies_, bodies),
+                        context.h * def_.max_force, impulse_, bodies);
 }
 
 }  // namespace tumble

@@ -14,6 +14,7 @@ public:
     explicit MouseJoint(const MouseJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -27,13 +28,14 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.impulse_);
+        visit(self.def_, self.bodies_, self.block_, self.impulse_);
     }
 
 private:
     MouseJointDef def_;
     JointBodies bodies_;
-    Vec2 impulse_;  // on B, N s
+    PointBlock block_;  // of the last update_rows()
+    Vec2 impulse_;      // on B, N s
 };
 
 }  // namespace tumble

@@ -19,6 +19,7 @@ public:
         : def_(def), drive_(def.spring, drive_motor(def.motor), def.limits) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -35,7 +36,7 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.drive_, self.axis_, self.impulse_, self.compensation_);
+        visit(self.def_, self.bodies_, self.angle_, self.drive_, self.axis_, self.rail_, self.impulse_);
     }
 
 private:
@@ -57,9 +58,9 @@ private:
     JointBodies bodies_;
     JointAngle angle_;
     JointDrive drive_;
-    Vec2 axis_;          // world, unit, at the start of the step
-    Vec2 impulse_;       // of the constrained rows, without their compensation: across the axis (N s), angular (N m s)
-    Vec2 compensation_;  // of the last solve
+    Vec2 axis_;     // world, unit, at the start of the step
+    Rail rail_;     // of the last update_rows()
+    Vec2 impulse_;  // of the constrained rows, without their compensation: across the axis (N s), angular (N m s)
 };
 
 }  // namespace tumble

@@ -22,17 +22,18 @@ void PulleyJoint::prepare(const BodyStore& bodies) {
     line_b_ = JointLine::along(bodies_.second.separation_at_start());
 }
 
-void PulleyJoint::warm_start(std::span<SolverBody> bodies) const {
-    const JointLine a = JointLine::now(bodies_.first, bodies), b = JointLine::now(bodies_.second, bodies);
-    apply_row(bodies_, CoupledRow{a.row(bodies_.first, bodies), b.row(bodies_.second, bodies)}, impulse_, bodies);
+PulleyJoint::Rope PulleyJoint::rope(std::span<const SolverBody> bodies) const {
+    const LineRow a = LineRow::make(bodies_.first, bodies), b = LineRow::make(bodies_.second, bodies);
+    return {{a.row, b.row}, a.line.length + def_.ratio * b.line.length - def_.length};
 }
+
+void PulleyJoint::update_rows(std::span<const SolverBody> bodies) { rope_ = rope(bodies); }
+
+void PulleyJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, rope_.row, impulse_, bodies); }
 
 void PulleyJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     if (!context.iterates_equalities) return;
-    const JointLine a = JointLine::now(bodies_.first, bodies), b = JointLine::now(bodies_.second, bodies);
-    const CoupledRow row{a.row(bodies_.first, bodies), b.row(bodies_.second, bodies)};
-    solve_equality(bodies_, row, context.equality_softness(use_bias), a.length + def_.ratio * b.length - def_.length,
-                   impulse_, bodies);
+    solve_equality(bodies_, rope_.row, context.equality_softness(use_bias), rope_.error, impulse_, bodies);
 }
 
 }  // namespace tumble

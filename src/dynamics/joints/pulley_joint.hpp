@@ -17,15 +17,15 @@ public:
     explicit PulleyJoint(const PulleyJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
     // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
     template <class Visitor>
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
-        const JointLine a = JointLine::now(bodies_.first, bodies), b = JointLine::now(bodies_.second, bodies);
-        const CoupledRow row{a.row(bodies_.first, bodies), b.row(bodies_.second, bodies)};
-        visit(make_equality(bodies_, row, a.length + def_.ratio * b.length - def_.length, impulse_));
+        const Rope now = rope(bodies);
+        visit(make_equality(bodies_, now.row, now.error, impulse_));
     }
     JointReaction reaction(float inv_h) const { return {inv_h * def_.ratio * impulse_ * line_b_.axis, 0.0f}; }
     float position() const { return line_a_.length; }
@@ -34,13 +34,21 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.line_a_, self.line_b_, self.impulse_);
+        visit(self.def_, self.bodies_, self.line_a_, self.line_b_, self.rope_, self.impulse_);
     }
 
 private:
+    // The row along the rope, and its error.
+    struct Rope {
+        CoupledRow row;
+        float error = 0.0f;  // m
+    };
+    Rope rope(std::span<const SolverBody> bodies) const;
+
     PulleyJointDef def_;
     CoupledBodies bodies_;       // of each side: the world as A, the body as B
     JointLine line_a_, line_b_;  // from wheel to body, at the start of the step
+    Rope rope_;                  // of the last update_rows()
     float impulse_ = 0.0f;       // on A along its line, positive pushes away from the wheel, N s
 };
 

@@ -26,13 +26,14 @@ public:
     void prepare(const BodyStore& bodies);
     // Whether it is the only joint with rows of its dynamic bodies in this step.
     void set_lone(bool is_lone) { is_lone_ = is_lone; }
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
     // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
     template <class Visitor>
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
-        visit_block(bodies_, PointBlock::make(bodies_, bodies), bodies_.current_separation(bodies), impulse_, visit);
+        visit_point(bodies_, bodies, impulse_, visit);
     }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * drive_.impulse()}; }
     float position() const { return angle_.at_start(); }
@@ -42,17 +43,21 @@ public:
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.body_a_, self.body_b_, self.anchor_a_, self.anchor_b_, self.reference_angle_, self.bodies_,
-              self.angle_, self.drive_, self.impulse_, self.is_lone_);
+              self.block_, self.angle_, self.range_, self.drive_, self.impulse_, self.is_lone_);
     }
 
 private:
+    void solve_drive(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
     // The members of the definition that a step reads. The whole definition would make this array larger, and scenes
     // have thousands of hinges.
     std::uint32_t body_a_ = 0, body_b_ = 0;
     Vec2 anchor_a_, anchor_b_;
     float reference_angle_ = 0.0f;
     JointBodies bodies_;
+    PointBlock block_;  // of the last update_rows()
     JointAngle angle_;
+    PositionRange range_;  // of the angle at the last update_rows(), with a spring or limits
     JointDrive drive_;
     Vec2 impulse_;          // on B, N s
     bool is_lone_ = false;  // in this step

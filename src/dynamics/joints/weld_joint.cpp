@@ -24,18 +24,24 @@ void WeldJoint::prepare(const BodyStore& bodies) {
     angle_.prepare(a, b, def_.reference_angle);
 }
 
+void WeldJoint::update_rows(std::span<const SolverBody> bodies) { block_ = PointBlock::make(bodies_, bodies); }
+
 void WeldJoint::warm_start(std::span<SolverBody> bodies) const {
     apply_row(bodies_, kAngularRow, angular_impulse_, bodies);
-    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
+    block_.apply(bodies_, impulse_, bodies);
 }
 
 void WeldJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    if (is_solved(def_.angular_spring, context, use_bias))
-        solve_equality(bodies_, kAngularRow, softness_of(def_.angular_spring, context, use_bias),
-                       angle_.now(bodies_, bodies), angular_impulse_, bodies);
-    if (is_solved(def_.linear_spring, context, use_bias))
-        solve_block(bodies_, PointBlock::make(bodies_, bodies), softness_of(def_.linear_spring, context, use_bias),
-                    bodies_.current_separation(bodies), impulse_, bodies);
+    // The relaxing pass has no bias: it needs no errors.
+    if (is_solved(def_.angular_spring, context, use_bias)) {
+        const float error = use_bias ? angle_.now(bodies_, bodies) : 0.0f;
+        solve_equality(bodies_, kAngularRow, softness_of(def_.angular_spring, context, use_bias), error,
+                       angular_impulse_, bodies);
+    }
+    if (is_solved(def_.linear_spring, context, use_bias)) {
+        const Vec2 error = use_bias ? block_.separation(bodies_, bodies) : Vec2{};
+        solve_block(bodies_, block_, softness_of(def_.linear_spring, context, use_bias), error, impulse_, bodies);
+    }
 }
 
 void WeldJoint::take_over(const WeldJoint& old) {

@@ -16,6 +16,7 @@ public:
     explicit WeldJoint(const WeldJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -24,9 +25,7 @@ public:
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
         if (!def_.angular_spring)
             visit(make_equality(bodies_, kAngularRow, angle_.now(bodies_, bodies), angular_impulse_));
-        if (!def_.linear_spring)
-            visit_block(bodies_, PointBlock::make(bodies_, bodies), bodies_.current_separation(bodies), impulse_,
-                        visit);
+        if (!def_.linear_spring) visit_point(bodies_, bodies, impulse_, visit);
     }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * angular_impulse_}; }
     float position() const { return angle_.at_start(); }
@@ -35,12 +34,13 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.angular_impulse_);
+        visit(self.def_, self.bodies_, self.block_, self.angle_, self.impulse_, self.angular_impulse_);
     }
 
 private:
     WeldJointDef def_;
     JointBodies bodies_;
+    PointBlock block_;  // of the last update_rows()
     JointAngle angle_;
     Vec2 impulse_;                  // on B, N s
     float angular_impulse_ = 0.0f;  // on B, N m s

@@ -12,27 +12,27 @@ void WheelJoint::prepare(const BodyStore& bodies) {
 
 WheelJoint::Strut WheelJoint::strut(std::span<const SolverBody> bodies) const {
     const Vec2 axis = rotate(bodies[bodies_.a].delta_rotation, axis_);
-    const Vec2 separation = bodies_.current_separation(bodies);
     const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
+    const Vec2 separation = bodies_.separation_of(arm_a, arm_b, bodies);
     return {axis, separation, sliding_row(axis, arm_a, separation, arm_b),
             sliding_row(perp(axis), arm_a, separation, arm_b)};
 }
 
+void WheelJoint::update_rows(std::span<const SolverBody> bodies) { strut_ = strut(bodies); }
+
 void WheelJoint::warm_start(std::span<SolverBody> bodies) const {
-    const Strut now = strut(bodies);
-    apply_row(bodies_, now.along, suspension_.impulse(), bodies);
+    apply_row(bodies_, strut_.along, suspension_.impulse(), bodies);
     apply_row(bodies_, kAngularRow, axle_.impulse(), bodies);
-    apply_row(bodies_, now.across, across_impulse_, bodies);
+    apply_row(bodies_, strut_.across, across_impulse_, bodies);
 }
 
 void WheelJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    const Strut now = strut(bodies);
     axle_.solve(bodies_, kAngularRow, KnownPosition{}, 0.0f, context, use_bias, bodies);
-    suspension_.solve(bodies_, now.along, KnownPosition{dot(now.axis, now.separation)}, 0.0f, context, use_bias,
-                      bodies);
+    suspension_.solve(bodies_, strut_.along, KnownPosition{dot(strut_.axis, strut_.separation)}, 0.0f, context,
+                      use_bias, bodies);
     if (!context.iterates_equalities) return;
-    solve_equality(bodies_, now.across, context.equality_softness(use_bias), dot(perp(now.axis), now.separation),
-                   across_impulse_, bodies);
+    solve_equality(bodies_, strut_.across, context.equality_softness(use_bias),
+                   dot(perp(strut_.axis), strut_.separation), across_impulse_, bodies);
 }
 
 void WheelJoint::take_over(const WheelJoint& old) {

@@ -19,6 +19,7 @@ public:
           axle_(std::nullopt, drive_motor(def.motor), std::nullopt) {}
 
     void prepare(const BodyStore& bodies);
+    void update_rows(std::span<const SolverBody> bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -37,7 +38,7 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.suspension_, self.axle_, self.axis_, self.across_impulse_);
+        visit(self.def_, self.bodies_, self.suspension_, self.axle_, self.axis_, self.strut_, self.across_impulse_);
     }
 
 private:
@@ -54,6 +55,7 @@ private:
     JointDrive suspension_;
     JointDrive axle_;
     Vec2 axis_;                    // world, unit, at the start of the step
+    Strut strut_;                  // of the last update_rows()
     float across_impulse_ = 0.0f;  // on B along perp(axis), N s
 };
 

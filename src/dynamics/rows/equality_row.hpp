@@ -36,4 +36,11 @@ void visit_block(const JointBodies& joint, const Block& block, Vec2 error, Vec2&
     visit(make_equality(joint, block.second_row(), error.y, impulse.y));
 }
 
+// Calls visit(row) for both rows of a point constraint at the given deltas of the bodies.
+template <class Visitor>
+void visit_point(const JointBodies& joint, std::span<const SolverBody> all, Vec2& impulse, Visitor&& visit) {
+    const PointBlock block = PointBlock::make(joint, all);
+    visit_block(joint, block, block.separation(joint, all), impulse, visit);
+}
+
 }  // namespace tumble

@@ -82,9 +82,10 @@ struct AnglePosition {
     const JointAngle& angle;
     const JointBodies& joint;
     std::span<const SolverBody> all;
+    PositionRange bounds;  // JointAngle::range() at the deltas of `all`
 
     float now() const { return angle.now(joint, all); }
-    PositionRange range() const { return angle.range(joint, all); }
+    PositionRange range() const { return bounds; }
 };
 
 }  // namespace tumble

@@ -66,8 +66,11 @@ struct JointBodies {
     // From A's anchor to B's, m, world axes: at the start of the step, and now.
     Vec2 separation_at_start() const { return center_difference + arm_b - arm_a; }
     Vec2 current_separation(std::span<const SolverBody> all) const {
-        return center_difference + (all[b].delta_position - all[a].delta_position) +
-               (current_arm_b(all) - current_arm_a(all));
+        return separation_of(current_arm_a(all), current_arm_b(all), all);
+    }
+    // The same, with the arms as they are now.
+    Vec2 separation_of(Vec2 arm_a_now, Vec2 arm_b_now, std::span<const SolverBody> all) const {
+        return center_difference + (all[b].delta_position - all[a].delta_position) + (arm_b_now - arm_a_now);
     }
 };
 

@@ -15,13 +15,17 @@ struct JointLine {
         const float size = tumble::length(separation);
         return size > 0.0f ? JointLine{(1.0f / size) * separation, size} : JointLine{};
     }
-    static JointLine now(const JointBodies& joint, std::span<const SolverBody> all) {
-        return along(joint.current_separation(all));
-    }
+};
 
-    // The row whose velocity is the rate of change of the length, m/s.
-    JointRow row(const JointBodies& joint, std::span<const SolverBody> all) const {
-        return point_row(axis, joint.current_arm_a(all), joint.current_arm_b(all));
+// The line at the present deltas of the bodies, and the row whose velocity is the rate of change of its length, m/s.
+struct LineRow {
+    JointLine line;
+    JointRow row;
+
+    static LineRow make(const JointBodies& joint, std::span<const SolverBody> all) {
+        const Vec2 arm_a = joint.current_arm_a(all), arm_b = joint.current_arm_b(all);
+        const JointLine line = JointLine::along(joint.separation_of(arm_a, arm_b, all));
+        return {line, point_row(line.axis, arm_a, arm_b)};
     }
 };
 

@@ -22,14 +22,14 @@ inline Vec2 chord_bend(const SolverBody& body, Vec2 arm, const JointContext& con
     return context.inv_h * ((rotation.c - 1.0f) * arm + (rotation.s - turn) * perp(arm));
 }
 
-// Of the error, the chord removes the part that a soft row removes in a sub-step.
-inline void solve_lone_point(const JointBodies& joint, const JointContext& context, Vec2& impulse,
-                             std::span<SolverBody> all) {
-    const PointBlock block = PointBlock::make(joint, all);
+// Of the error, the chord removes the part that a soft row removes in a sub-step. A function of its own, so that other
+// hinges do not save the registers that it needs.
+[[gnu::noinline]] inline void solve_lone_point(const JointBodies& joint, const PointBlock& block,
+                                               const JointContext& context, Vec2& impulse, std::span<SolverBody> all) {
     solve_block(joint, block, Softness{}, {}, impulse, all);
     const Vec2 bend = chord_bend(all[joint.b], block.arm_b, context) - chord_bend(all[joint.a], block.arm_a, context);
     const Softness rigid{context.softness.bias_rate, 1.0f, 0.0f};
-    solve_block(joint, block, rigid, joint.current_separation(all) + (1.0f / rigid.bias_rate) * bend, impulse, all);
+    solve_block(joint, block, rigid, block.separation(joint, all) + (1.0f / rigid.bias_rate) * bend, impulse, all);
 }
 
 // `row` is that of the line, `error` the line's length less that of the rod, m. With the separation s and the mean
