@@ -8,7 +8,7 @@
 #include "dynamics/bodies/divergence.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
-#include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/collision.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 #include "dynamics/continuous/bounces.hpp"
 #include "dynamics/continuous/continuous.hpp"
@@ -19,7 +19,6 @@
 #include "dynamics/stages/events.hpp"
 #include "dynamics/stages/seams.hpp"
 #include "dynamics/stages/sleep.hpp"
-#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
@@ -62,57 +61,7 @@ JointContext joint_context(const Simulation& simulation) {
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
-StepAhead step_ahead(const Simulation& simulation) {
-    const StepSettings& settings = simulation.settings;
-    return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
-}
-
-// Smallest chunks of contacts and bodies, each about 3 us of work.
-constexpr std::size_t kLeastCollided = 32, kLeastOverlaps = 512, kLeastBoxes = 128;
-
-void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
-    const StepAhead ahead = step_ahead(simulation);
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
-    if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
-    counts.crossings += contact.chain_state == ChainState::crossing;
-    ++counts.pairs;
-    if (!in_full) return;
-    ++counts.full;
-    counts.iterations += contact.cache.iterations;
-}
-
-// Collides the solid contacts for which is_chosen(contact) holds.
-template <class IsChosen>
-void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
-    std::vector<Contact>& contacts = simulation.contacts.all();
-    Crew& crew = simulation.crew;
-    ChunkScratch& scratch = simulation.scratch->chunks;
-    scratch.collision_counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
-    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
-        CollisionCounts own;
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            Contact& contact = contacts[i];
-            if (contact.kind != ContactKind::solid || !is_chosen(contact)) continue;
-            const bool was_apart = contact.chain_state == ChainState::apart;
-            collide_and_count(simulation, contact, own);
-            if (was_apart && contact.chain_state != ChainState::apart)
-                newcomers.push_back(static_cast<std::uint32_t>(i));
-        }
-        scratch.collision_counts[chunk.index] = own;
-    };
-    scratch.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
-    for (const CollisionCounts& own : scratch.collision_counts) simulation.report.collided += own;
-    simulation.scratch->ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
-    simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
-    scratch.newcomers.clear();
-    scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
-    follow_neighbors(simulation.chain_contacts(), contacts, scratch.newcomers);
-}
-
-// True if contacts of shapes that have not moved may end.
-bool may_end_anywhere(const Simulation& simulation) {
-    return simulation.shapes.has_destroyed() || simulation.filters_changed;
-}
+constexpr std::size_t kLeastBoxes = 128;  // in a chunk: about 3 us of work
 
 // A measure of the work of a step: see Threads::least_work.
 std::size_t amount_of_work(const Simulation& simulation) {
@@ -129,17 +78,6 @@ void for_each_left_box(const Simulation& simulation, const MovingBody& moving, c
             simulation.shapes.new_box(shape.index, pose, ahead, simulation.settings.tuning, simulation.broad);
         if (box) visit(shape.index, *box);
     }
-}
-
-// Keeps the contacts that touched in this step, and notes a shape of each: its proxy is touched when the search for
-// pairs has ended, so that the next step ends the contact.
-void keep_touched(Simulation& simulation, ChunkLists<std::uint32_t>& ended) {
-    ended.erase_if([&](std::uint32_t i) {
-        const Contact& contact = simulation.contacts.all()[i];
-        const bool has_touched = contact.kind == ContactKind::solid && contact.is_touching && !contact.is_new;
-        if (has_touched) simulation.scratch->chunks.kept_shapes.push_back(contact.shapes.a);
-        return has_touched;
-    });
 }
 
 void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead) {
@@ -225,60 +163,6 @@ void cover_free_motions(Simulation& simulation) {
         const float moved = length(motions[i].path) + std::abs(motions[i].turn) * body.reach;
         if (moved > settings.tuning.speculative_distance(body.smallest_extent))
             update_boxes(simulation, bodies.moving[i], motions[i]);
-    }
-}
-
-// Runs for the caller's changes before the step, for bodies that wake in it, and after the motion, so that the step
-// reports each sensor that a body entered in it.
-// New pairs begin, and pairs end, only where a box has moved.
-void find_pairs(Simulation& simulation, EndOf which) {
-    simulation.contacts.merge_woken();
-    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
-    std::vector<std::uint32_t>& kept = simulation.scratch->chunks.kept_shapes;
-    kept.clear();
-    end_contacts(simulation, which);
-    const std::vector<ProxyPair>& new_pairs =
-        simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
-    simulation.contacts.add(new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
-    simulation.shapes.forget_destroyed();
-    simulation.filters_changed = false;
-    for (const std::uint32_t shape : kept) simulation.broad.touch(shape);
-}
-
-// Removes the contacts whose boxes are apart, unless `which` keeps them, and those that a change since the last step
-// does not allow.
-void end_contacts(Simulation& simulation, EndOf which) {
-    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
-    std::vector<Contact>& contacts = simulation.contacts.all();
-    ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
-    const bool may_end_all = may_end_anywhere(simulation);
-    const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
-        const ProxyPair shapes = contacts[i].shapes;
-        if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
-        const bool keep =
-            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
-        if (!keep) found.push_back(static_cast<std::uint32_t>(i));
-    };
-    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
-    if (which == EndOf::untouched_contacts) keep_touched(simulation, ended);
-    ended.for_each([&](std::uint32_t i) {
-        report_removal(simulation, contacts[i]);
-        simulation.broad.remove_pair(contacts[i].shapes);
-    });
-    simulation.contacts.remove(ended);
-}
-
-void collide_pairs(Simulation& simulation) {
-    simulation.chain_crossings = {.before = simulation.chain_crossings.now};
-    simulation.scratch->ordered_impacts.bounces.has_candidates = false;
-    collide_all(simulation, [](const Contact&) { return true; });
-}
-
-// Touched bodies wake before they are solved, and may touch others that sleep.
-void collide_woken(Simulation& simulation) {
-    while (wake_touched(simulation)) {
-        find_pairs(simulation, EndOf::all_contacts);
-        collide_all(simulation, [](const Contact& contact) { return contact.is_new; });
     }
 }
 

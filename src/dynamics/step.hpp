@@ -4,8 +4,6 @@
 // each constraint once with a soft bias and once without.
 #pragma once
 
-#include <cstdint>
-
 namespace tumble {
 
 struct Simulation;
@@ -14,17 +12,9 @@ struct Simulation;
 // skipped, and the simulation cannot go on.
 void step(Simulation& simulation);
 
-// The contacts that end because their boxes are apart: all, or only those that did not touch in this step. A contact
-// that touched shows the impulses of the step, and ends when the next step starts.
-enum class EndOf : std::uint8_t { all_contacts, untouched_contacts };
-
-// Stages of step(), in order; those of dynamics/stages and dynamics/continuous come between. README.md has the whole
-// list.
+// Stages of step(), in order; those of collision.hpp, dynamics/stages and dynamics/continuous come between. README.md
+// has the whole list.
 void cover_free_motions(Simulation& simulation);
-void find_pairs(Simulation& simulation, EndOf which);
-void end_contacts(Simulation& simulation, EndOf which);
-void collide_pairs(Simulation& simulation);
-void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);
 void run_substep(Simulation& simulation);
 void bounce(Simulation& simulation);

@@ -1,6 +1,7 @@
 #include "dynamics/contacts/chain_crossing.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/shape_store.hpp"
@@ -50,7 +51,7 @@ ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& se
     for (const ShapeId id : chains.bodies.records[segment.body].shapes) {
         const ShapeRecord& neighbor = chains.shapes[id.index];
         if (!neighbor.link || !continues(neighbor.shape, segment.shape)) continue;
-        const Contact* const contact = chains.contacts.find(make_pair_of(id.index, shape));
+        const Contact* const contact = chains.contacts.find_with_woken(make_pair_of(id.index, shape));
         if (!contact || is_undecided(*contact)) continue;
         if (contact->chain_state == ChainState::crossing) state = ChainState::crossing;
         const bool pushes = contact->manifold.point_count > 0 || contact->was_touching;
@@ -84,8 +85,10 @@ Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, 
 void follow_neighbors(const ChainContacts& chains, std::span<Contact> contacts, std::vector<std::uint32_t>& newcomers) {
     if (!chains.crossings.any()) return;
     const auto is_undecided = [&](const Contact& contact) {
-        const auto index = static_cast<std::uint32_t>(&contact - contacts.data());
-        return std::binary_search(newcomers.begin(), newcomers.end(), index);
+        const Contact* const begin = contacts.data();
+        const bool is_inside = !std::less<>{}(&contact, begin) && std::less<>{}(&contact, begin + contacts.size());
+        return is_inside &&
+               std::binary_search(newcomers.begin(), newcomers.end(), static_cast<std::uint32_t>(&contact - begin));
     };
     const auto is_crossing = [&](std::uint32_t i) { return contacts[i].chain_state == ChainState::crossing; };
     std::vector<std::uint32_t> left;

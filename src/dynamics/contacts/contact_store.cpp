@@ -25,6 +25,12 @@ auto* find_in(Contacts& contacts, ProxyPair pair) {
 Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
 const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
 
+const Contact* ContactStore::find_with_woken(ProxyPair pair) const {
+    if (const Contact* const found = find(pair)) return found;
+    const auto woken = std::find_if(woken_.begin(), woken_.end(), [&](const Contact& c) { return c.shapes == pair; });
+    return woken != woken_.end() ? &*woken : nullptr;
+}
+
 template <class PairOf, class Make>
 void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
     const std::size_t old_size = contacts_.size(), size = old_size + count;
@@ -52,6 +58,14 @@ void ContactStore::add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodie
             draw_colors(contact, bodies);
             return contact;
         });
+}
+
+void ContactStore::add_to_woken(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
+                                const Tuning& tuning) {
+    for (std::size_t i = new_pairs.size(); i-- > 0;) {
+        woken_.push_back(make_contact(new_pairs[i], shapes, tuning));
+        draw_colors(woken_.back(), bodies);
+    }
 }
 
 // Moves the contacts between two removed ones together.

@@ -5,6 +5,7 @@
 // thousands, took 0.98 to 1.02 of the time, and large_pyramid and spinner took 1.01 to 1.03 of it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -29,13 +30,30 @@ public:
     template <class Keep>
     void keep_if(Keep&& keep);
 
-    // Adds the contacts of an island that woke. They are in woken() until merge_woken() sorts them into all().
+    // Adds the contacts of an island that woke. They are in woken(), in the order of waking, until merge_woken() sorts
+    // them into all().
     void add_woken(std::span<const Contact> contacts);
     void merge_woken();
+
+    // As add(), but the contacts are in woken() until merge_woken(): an island that wakes may touch another one. To
+    // sort them into all() for each of the islands would take most of the time of such a step.
+    void add_to_woken(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
+                      const Tuning& tuning);
+
+    // Removes those of the contacts in woken(), from the index `first` on, for which is_over(contact) is true.
+    template <class IsOver>
+    void erase_woken(std::size_t first, IsOver&& is_over) {
+        TUMBLE_CHECK(first <= woken_.size());
+        const auto begin = woken_.begin() + static_cast<std::ptrdiff_t>(first);
+        woken_.erase(std::remove_if(begin, woken_.end(), is_over), woken_.end());
+    }
 
     // The contact of a pair among all(), or nullptr.
     Contact* find(ProxyPair pair);
     const Contact* find(ProxyPair pair) const;
+
+    // The same among all() and woken(), which takes time in proportion to the size of woken().
+    const Contact* find_with_woken(ProxyPair pair) const;
 
     const std::vector<Contact>& woken() const { return woken_; }
     std::vector<Contact>& woken() { return woken_; }
@@ -54,7 +72,7 @@ private:
     void insert(std::size_t count, PairOf&& pair_of, Make&& make);
 
     std::vector<Contact> contacts_;  // sorted
-    std::vector<Contact> woken_;     // in order of waking
+    std::vector<Contact> woken_;     // in order of waking, or of beginning in add_to_woken()
 };
 
 template <class Keep>

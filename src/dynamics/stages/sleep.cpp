@@ -195,20 +195,6 @@ void wake(Simulation& simulation, std::uint32_t body) {
     simulation.contacts.add_woken(island.contacts);
 }
 
-bool wake_touched(Simulation& simulation) {
-    if (simulation.sleeping.count() == 0) return false;
-    bool any = false;
-    for (const Contact& contact : simulation.contacts.all()) {
-        if (!is_touching(contact)) continue;
-        for (const std::uint32_t body : {contact.body_a, contact.body_b}) {
-            if (!simulation.bodies.is_asleep(body)) continue;
-            wake(simulation, body);
-            any = true;
-        }
-    }
-    return any;
-}
-
 void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
     BodyStore& bodies = simulation.bodies;
     if (bodies.is_dynamic(body)) return wake(simulation, body);

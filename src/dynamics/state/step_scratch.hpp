@@ -90,6 +90,7 @@ struct StartVelocity {
 struct ChunkScratch {
     ChunkLists<std::uint32_t> found;         // indices of contacts
     std::vector<std::uint32_t> newcomers;    // contacts that left ChainState::apart
+    std::vector<std::uint32_t> woken;        // contacts that woke or began in a round of waking
     std::vector<std::uint32_t> kept_shapes;  // a shape of each contact that stays although its boxes are apart
     ChunkLists<MovedBox> moved_boxes;
     ChunkLists<GroundContact> ground_contacts;
@@ -97,7 +98,8 @@ struct ChunkScratch {
     std::vector<ContactCounts> contact_counts;      // by chunk
 
     std::size_t bytes() const {
-        return found.bytes() + (newcomers.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
+        return found.bytes() +
+               (newcomers.capacity() + woken.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
                moved_boxes.bytes() + ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
                contact_counts.capacity() * sizeof(ContactCounts);
     }

@@ -1,0 +1,167 @@
+#include "dynamics/collision.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "debug/check.hpp"
+#include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/continuous/bounces.hpp"
+#include "dynamics/stages/events.hpp"
+#include "dynamics/stages/sleep.hpp"
+#include "dynamics/state/collision_rules.hpp"
+
+namespace tumble {
+
+namespace {
+
+constexpr std::size_t kLeastCollided = 32, kLeastOverlaps = 512;  // in a chunk: about 3 us of work
+
+StepAhead step_ahead(const Simulation& simulation) {
+    const StepSettings& settings = simulation.settings;
+    return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
+}
+
+void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
+    const StepAhead ahead = step_ahead(simulation);
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
+    if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
+    counts.crossings += contact.chain_state == ChainState::crossing;
+    ++counts.pairs;
+    if (!in_full) return;
+    ++counts.full;
+    counts.iterations += contact.cache.iterations;
+}
+
+// Collides the solid ones of `count` contacts of an array: the i-th is that with the index index_of(i).
+template <class IndexOf>
+void collide_contacts(Simulation& simulation, std::vector<Contact>& contacts, std::size_t count, IndexOf&& index_of) {
+    Crew& crew = simulation.crew;
+    ChunkScratch& scratch = simulation.scratch->chunks;
+    scratch.collision_counts.assign(crew.chunk_count(count, kLeastCollided), {});
+    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
+        CollisionCounts own;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            const std::uint32_t index = index_of(i);
+            Contact& contact = contacts[index];
+            if (contact.kind != ContactKind::solid) continue;
+            const bool was_apart = contact.chain_state == ChainState::apart;
+            collide_and_count(simulation, contact, own);
+            if (was_apart && contact.chain_state != ChainState::apart) newcomers.push_back(index);
+        }
+        scratch.collision_counts[chunk.index] = own;
+    };
+    scratch.found.fill_by_chunk(crew, count, kLeastCollided, collide_chunk);
+    for (const CollisionCounts& own : scratch.collision_counts) simulation.report.collided += own;
+    simulation.scratch->ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
+    simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
+    scratch.newcomers.clear();
+    scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
+    std::sort(scratch.newcomers.begin(), scratch.newcomers.end());
+    follow_neighbors(simulation.chain_contacts(), contacts, scratch.newcomers);
+}
+
+// True if contacts of shapes that have not moved may end.
+bool may_end_anywhere(const Simulation& simulation) {
+    return simulation.shapes.has_destroyed() || simulation.filters_changed;
+}
+
+// Keeps the contacts that touched in this step, and notes a shape of each: its proxy is touched when the search for
+// pairs has ended, so that the next step ends the contact.
+void keep_touched(Simulation& simulation, ChunkLists<std::uint32_t>& ended) {
+    ended.erase_if([&](std::uint32_t i) {
+        const Contact& contact = simulation.contacts.all()[i];
+        const bool has_touched = contact.kind == ContactKind::solid && contact.is_touching && !contact.is_new;
+        if (has_touched) simulation.scratch->chunks.kept_shapes.push_back(contact.shapes.a);
+        return has_touched;
+    });
+}
+
+const std::vector<ProxyPair>& find_new_pairs(Simulation& simulation) {
+    return simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); },
+                                           simulation.crew);
+}
+
+// Reports the end of a contact. The caller removes it.
+void end_contact(Simulation& simulation, Contact& contact) {
+    report_removal(simulation, contact);
+    simulation.broad.remove_pair(contact.shapes);
+}
+
+// The contacts that woke since there were `first` in woken(), and those that begin with them: their indices there, in
+// the order of their shapes. A contact of two bodies that were apart when they fell asleep ends.
+const std::vector<std::uint32_t>& find_woken_pairs(Simulation& simulation, std::size_t first) {
+    ContactStore& contacts = simulation.contacts;
+    contacts.erase_woken(first, [&](Contact& contact) {
+        const bool is_apart = !simulation.broad.overlap(contact.shapes);
+        if (is_apart) end_contact(simulation, contact);
+        return is_apart;
+    });
+    if (simulation.broad.has_moved())
+        contacts.add_to_woken(find_new_pairs(simulation), simulation.bodies, simulation.shapes,
+                              simulation.settings.tuning);
+    std::vector<std::uint32_t>& woken = simulation.scratch->chunks.woken;
+    woken.resize(contacts.woken().size() - first);
+    std::iota(woken.begin(), woken.end(), static_cast<std::uint32_t>(first));
+    std::sort(woken.begin(), woken.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return contacts.woken()[a].shapes < contacts.woken()[b].shapes;
+    });
+    return woken;
+}
+
+}  // namespace
+
+void find_pairs(Simulation& simulation, EndOf which) {
+    simulation.contacts.merge_woken();
+    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
+    std::vector<std::uint32_t>& kept = simulation.scratch->chunks.kept_shapes;
+    kept.clear();
+    end_contacts(simulation, which);
+    simulation.contacts.add(find_new_pairs(simulation), simulation.bodies, simulation.shapes,
+                            simulation.settings.tuning);
+    simulation.shapes.forget_destroyed();
+    simulation.filters_changed = false;
+    for (const std::uint32_t shape : kept) simulation.broad.touch(shape);
+}
+
+void end_contacts(Simulation& simulation, EndOf which) {
+    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
+    const bool may_end_all = may_end_anywhere(simulation);
+    const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+        const ProxyPair shapes = contacts[i].shapes;
+        if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
+        const bool keep =
+            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
+        if (!keep) found.push_back(static_cast<std::uint32_t>(i));
+    };
+    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
+    if (which == EndOf::untouched_contacts) keep_touched(simulation, ended);
+    ended.for_each([&](std::uint32_t i) { end_contact(simulation, contacts[i]); });
+    simulation.contacts.remove(ended);
+}
+
+void collide_pairs(Simulation& simulation) {
+    simulation.chain_crossings = {.before = simulation.chain_crossings.now};
+    simulation.scratch->ordered_impacts.bounces.has_candidates = false;
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    collide_contacts(simulation, contacts, contacts.size(),
+                     [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+}
+
+void collide_woken(Simulation& simulation) {
+    ContactStore& contacts = simulation.contacts;
+    TUMBLE_CHECK(contacts.woken().empty());
+    bool any = wake_touched(simulation, contacts.all().size(), [&](std::size_t i) { return &contacts.all()[i]; });
+    for (std::size_t first = 0; any;) {
+        const std::vector<std::uint32_t>& woken = find_woken_pairs(simulation, first);
+        first = contacts.woken().size();
+        const auto index_of = [&](std::size_t i) { return woken[i]; };
+        collide_contacts(simulation, contacts.woken(), woken.size(), index_of);
+        any = wake_touched(simulation, woken.size(), [&](std::size_t i) { return &contacts.woken()[woken[i]]; });
+    }
+    contacts.merge_woken();
+}
+
+}  // namespace tumble

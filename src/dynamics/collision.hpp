@@ -1,0 +1,28 @@
+// The stages of a step that find the contacts and their manifolds. Their order is in step.cpp.
+#pragma once
+
+#include <cstdint>
+
+namespace tumble {
+
+struct Simulation;
+
+// The contacts that end because their boxes are apart: all, or only those that did not touch in this step. A contact
+// that touched shows the impulses of the step, and ends when the next step starts.
+enum class EndOf : std::uint8_t { all_contacts, untouched_contacts };
+
+// Runs for the caller's changes before the step, and after the motion, so that the step reports each sensor that a body
+// entered in it. New pairs begin, and pairs end, only where a box has moved.
+void find_pairs(Simulation& simulation, EndOf which);
+
+// Removes the contacts whose boxes are apart, unless `which` keeps them, and those that a change since the last step
+// does not allow.
+void end_contacts(Simulation& simulation, EndOf which);
+
+void collide_pairs(Simulation& simulation);
+
+// Wakes the sleeping bodies that are touched, collides the contacts that wake or begin with them, and repeats this
+// until no sleeping body is touched. Each round takes as long as what wakes in it.
+void collide_woken(Simulation& simulation);
+
+}  // namespace tumble
