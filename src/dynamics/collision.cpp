@@ -1,7 +1,6 @@
 #include "dynamics/collision.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <vector>
 
 #include "debug/check.hpp"
@@ -33,21 +32,21 @@ void collide_and_count(const Simulation& simulation, Contact& contact, Collision
     counts.iterations += contact.cache.iterations;
 }
 
-// Collides the solid ones of `count` contacts of an array: the i-th is that with the index index_of(i).
-template <class IndexOf>
-void collide_contacts(Simulation& simulation, std::vector<Contact>& contacts, std::size_t count, IndexOf&& index_of) {
+// Collides the solid contacts of an array from the index `first` on.
+void collide_contacts(Simulation& simulation, std::vector<Contact>& contacts, std::size_t first) {
     Crew& crew = simulation.crew;
     ChunkScratch& scratch = simulation.scratch->chunks;
+    const std::size_t count = contacts.size() - first;
     scratch.collision_counts.assign(crew.chunk_count(count, kLeastCollided), {});
     const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
         CollisionCounts own;
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            const std::uint32_t index = index_of(i);
-            Contact& contact = contacts[index];
+        for (std::size_t i = first + chunk.begin; i < first + chunk.end; ++i) {
+            Contact& contact = contacts[i];
             if (contact.kind != ContactKind::solid) continue;
             const bool was_apart = contact.chain_state == ChainState::apart;
             collide_and_count(simulation, contact, own);
-            if (was_apart && contact.chain_state != ChainState::apart) newcomers.push_back(index);
+            if (was_apart && contact.chain_state != ChainState::apart)
+                newcomers.push_back(static_cast<std::uint32_t>(i));
         }
         scratch.collision_counts[chunk.index] = own;
     };
@@ -57,8 +56,9 @@ void collide_contacts(Simulation& simulation, std::vector<Contact>& contacts, st
     simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
     scratch.newcomers.clear();
     scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
-    std::sort(scratch.newcomers.begin(), scratch.newcomers.end());
-    follow_neighbors(simulation.chain_contacts(), contacts, scratch.newcomers);
+    ChainContacts chains = simulation.chain_contacts();
+    chains.woken_rounds = scratch.woken_rounds;
+    follow_neighbors(chains, contacts, scratch.newcomers);
 }
 
 // True if contacts of shapes that have not moved may end.
@@ -88,25 +88,36 @@ void end_contact(Simulation& simulation, Contact& contact) {
     simulation.broad.remove_pair(contact.shapes);
 }
 
-// The contacts that woke since there were `first` in woken(), and those that begin with them: their indices there, in
-// the order of their shapes. A contact of two bodies that were apart when they fell asleep ends.
-const std::vector<std::uint32_t>& find_woken_pairs(Simulation& simulation, std::size_t first) {
+// Wakes the sleeping bodies of the touching contacts of an array, from the index `first` on. Returns false if there are
+// none. The contacts of the islands that wake go to ContactStore::woken(), which may be this array.
+bool wake_touched(Simulation& simulation, const std::vector<Contact>& contacts, std::size_t first) {
+    if (simulation.sleeping.count() == 0) return false;
+    bool any = false;
+    const std::size_t end = contacts.size();
+    for (std::size_t i = first; i < end; ++i) {
+        if (contacts[i].manifold.point_count == 0) continue;
+        const std::uint32_t bodies[] = {contacts[i].body_a, contacts[i].body_b};
+        for (const std::uint32_t body : bodies) {
+            if (!simulation.bodies.is_asleep(body)) continue;
+            wake(simulation, body);
+            any = true;
+        }
+    }
+    return any;
+}
+
+// Makes a round of the contacts in ContactStore::woken() from the index `first` on, and of those that begin where
+// bodies woke. A contact ends if one of its bodies was moved while the other slept.
+void start_woken_round(Simulation& simulation, std::size_t first) {
     ContactStore& contacts = simulation.contacts;
-    contacts.erase_woken(first, [&](Contact& contact) {
-        const bool is_apart = !simulation.broad.overlap(contact.shapes);
-        if (is_apart) end_contact(simulation, contact);
-        return is_apart;
+    contacts.keep_woken_if(first, [&](Contact& contact) {
+        const bool keep = simulation.broad.overlap(contact.shapes);
+        if (!keep) end_contact(simulation, contact);
+        return keep;
     });
-    if (simulation.broad.has_moved())
-        contacts.add_to_woken(find_new_pairs(simulation), simulation.bodies, simulation.shapes,
-                              simulation.settings.tuning);
-    std::vector<std::uint32_t>& woken = simulation.scratch->chunks.woken;
-    woken.resize(contacts.woken().size() - first);
-    std::iota(woken.begin(), woken.end(), static_cast<std::uint32_t>(first));
-    std::sort(woken.begin(), woken.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return contacts.woken()[a].shapes < contacts.woken()[b].shapes;
-    });
-    return woken;
+    contacts.add_to_woken(find_new_pairs(simulation), simulation.bodies, simulation.shapes, simulation.settings.tuning);
+    contacts.sort_woken(first);
+    simulation.scratch->chunks.woken_rounds.push_back(static_cast<std::uint32_t>(first));
 }
 
 }  // namespace
@@ -145,23 +156,22 @@ void end_contacts(Simulation& simulation, EndOf which) {
 void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
     simulation.scratch->ordered_impacts.bounces.has_candidates = false;
-    std::vector<Contact>& contacts = simulation.contacts.all();
-    collide_contacts(simulation, contacts, contacts.size(),
-                     [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    simulation.scratch->chunks.woken_rounds.clear();
+    collide_contacts(simulation, simulation.contacts.all(), 0);
 }
 
 void collide_woken(Simulation& simulation) {
-    ContactStore& contacts = simulation.contacts;
-    TUMBLE_CHECK(contacts.woken().empty());
-    bool any = wake_touched(simulation, contacts.all().size(), [&](std::size_t i) { return &contacts.all()[i]; });
+    std::vector<Contact>& woken = simulation.contacts.woken();
+    TUMBLE_CHECK(woken.empty());
+    bool any = wake_touched(simulation, simulation.contacts.all(), 0);
     for (std::size_t first = 0; any;) {
-        const std::vector<std::uint32_t>& woken = find_woken_pairs(simulation, first);
-        first = contacts.woken().size();
-        const auto index_of = [&](std::size_t i) { return woken[i]; };
-        collide_contacts(simulation, contacts.woken(), woken.size(), index_of);
-        any = wake_touched(simulation, woken.size(), [&](std::size_t i) { return &contacts.woken()[woken[i]]; });
+        start_woken_round(simulation, first);
+        collide_contacts(simulation, woken, first);
+        const std::size_t next = woken.size();
+        any = wake_touched(simulation, woken, first);
+        first = next;
     }
-    contacts.merge_woken();
+    simulation.contacts.merge_woken();
 }
 
 }  // namespace tumble

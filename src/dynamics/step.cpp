@@ -168,6 +168,7 @@ void cover_free_motions(Simulation& simulation) {
 
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
+    TUMBLE_CHECK(simulation.contacts.woken().empty());
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), simulation.crew);
     simulation.joints.prepare(simulation.bodies, settings.joints, simulation.crew);

@@ -47,6 +47,27 @@ TEST_CASE("waking spreads through bodies that were created asleep, within one st
     world.audit();
 }
 
+TEST_CASE("a body that wakes stands on its floor in the same step") {
+    World world;
+    add_floor(world);
+    BodyDef sleeper;
+    sleeper.pose.position = {0.0, 0.5};
+    sleeper.awake = false;
+    const BodyId box = world.create_body(sleeper);
+    world.add_shape(box, {.shape = kBox});
+    BodyDef lift;
+    lift.type = BodyType::kinematic_body;
+    lift.pose.position = {1.0, 0.8};
+    lift.velocity = {0.0f, 1.0f};
+    world.add_shape(world.create_body(lift), {.shape = kBox, .material = {.friction = 0.0f}});
+    world.step();
+    CHECK(world.is_awake(box));
+    // Falling for one step, it would have 0.16 m/s.
+    CHECK(near(world.state(box).velocity.y, 0.0, absolute(1e-6)));
+    CHECK(near(world.state(box).pose.position.y, 0.5, absolute(kRestingDepth)));
+    world.audit();
+}
+
 TEST_CASE("bodies that rest on a body wake when it is destroyed, static or not") {
     World world;
     const BodyId floor = add_floor(world);

@@ -51,7 +51,9 @@ ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& se
     for (const ShapeId id : chains.bodies.records[segment.body].shapes) {
         const ShapeRecord& neighbor = chains.shapes[id.index];
         if (!neighbor.link || !continues(neighbor.shape, segment.shape)) continue;
-        const Contact* const contact = chains.contacts.find_with_woken(make_pair_of(id.index, shape));
+        const ProxyPair pair = make_pair_of(id.index, shape);
+        const Contact* contact = chains.contacts.find(pair);
+        if (!contact) contact = chains.contacts.find_in_woken(pair, chains.woken_rounds);
         if (!contact || is_undecided(*contact)) continue;
         if (contact->chain_state == ChainState::crossing) state = ChainState::crossing;
         const bool pushes = contact->manifold.point_count > 0 || contact->was_touching;

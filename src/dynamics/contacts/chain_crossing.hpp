@@ -65,6 +65,7 @@ struct ChainContacts {
     const ShapeStore& shapes;
     const ContactStore& contacts;
     ChainCrossings crossings;
+    std::span<const std::uint32_t> woken_rounds{};  // of ContactStore::woken(); its other contacts are not read
 };
 
 struct PosedShape {

@@ -15,9 +15,17 @@ Iterator lower_bound_of(Iterator begin, Iterator end, ProxyPair pair) {
 }
 
 template <class Contacts>
-auto* find_in(Contacts& contacts, ProxyPair pair) {
+auto* find_in(Contacts&& contacts, ProxyPair pair) {
     const auto found = lower_bound_of(contacts.begin(), contacts.end(), pair);
     return found != contacts.end() && found->shapes == pair ? &*found : nullptr;
+}
+
+std::vector<const Contact*> in_order(const std::vector<Contact>& contacts) {
+    std::vector<const Contact*> sorted;
+    sorted.reserve(contacts.size());
+    for (const Contact& contact : contacts) sorted.push_back(&contact);
+    std::sort(sorted.begin(), sorted.end(), [](const Contact* a, const Contact* b) { return a->shapes < b->shapes; });
+    return sorted;
 }
 
 }  // namespace
@@ -25,10 +33,14 @@ auto* find_in(Contacts& contacts, ProxyPair pair) {
 Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
 const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
 
-const Contact* ContactStore::find_with_woken(ProxyPair pair) const {
-    if (const Contact* const found = find(pair)) return found;
-    const auto woken = std::find_if(woken_.begin(), woken_.end(), [&](const Contact& c) { return c.shapes == pair; });
-    return woken != woken_.end() ? &*woken : nullptr;
+const Contact* ContactStore::find_in_woken(ProxyPair pair, std::span<const std::uint32_t> rounds) const {
+    for (std::size_t i = 0; i < rounds.size(); ++i) {
+        const std::size_t end = i + 1 < rounds.size() ? rounds[i + 1] : woken_.size();
+        TUMBLE_CHECK(rounds[i] <= end);
+        if (const Contact* const found = find_in(std::span(woken_).subspan(rounds[i], end - rounds[i]), pair))
+            return found;
+    }
+    return nullptr;
 }
 
 template <class PairOf, class Make>
@@ -92,12 +104,15 @@ void ContactStore::add_woken(std::span<const Contact> contacts) {
     }
 }
 
+void ContactStore::sort_woken(std::size_t first) {
+    TUMBLE_CHECK(first <= woken_.size());
+    const std::vector<Contact> unsorted(woken_.begin() + static_cast<std::ptrdiff_t>(first), woken_.end());
+    for (const Contact* const contact : in_order(unsorted)) woken_[first++] = *contact;
+}
+
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
-    std::vector<const Contact*> sorted;
-    sorted.reserve(woken_.size());
-    for (const Contact& contact : woken_) sorted.push_back(&contact);
-    std::sort(sorted.begin(), sorted.end(), [](const Contact* a, const Contact* b) { return a->shapes < b->shapes; });
+    const std::vector<const Contact*> sorted = in_order(woken_);
     insert(
         sorted.size(), [&](std::size_t i) { return sorted[i]->shapes; },
         [&](std::size_t i) -> const Contact& { return *sorted[i]; });

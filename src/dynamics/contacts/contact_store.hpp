@@ -5,8 +5,8 @@
 // thousands, took 0.98 to 1.02 of the time, and large_pyramid and spinner took 1.01 to 1.03 of it.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,32 +28,37 @@ public:
 
     // Removes the contacts for which keep(contact), called in order, is false.
     template <class Keep>
-    void keep_if(Keep&& keep);
+    void keep_if(Keep&& keep) {
+        keep_if(contacts_, 0, keep);
+    }
+
+    // The same for the contacts in woken() from the index `first` on.
+    template <class Keep>
+    void keep_woken_if(std::size_t first, Keep&& keep) {
+        keep_if(woken_, first, keep);
+    }
 
     // Adds the contacts of an island that woke. They are in woken(), in the order of waking, until merge_woken() sorts
     // them into all().
     void add_woken(std::span<const Contact> contacts);
     void merge_woken();
 
-    // As add(), but the contacts are in woken() until merge_woken(): an island that wakes may touch another one. To
-    // sort them into all() for each of the islands would take most of the time of such a step.
+    // As add(), but the contacts are in woken() until merge_woken(). `new_pairs` contains no pair of woken() either.
+    // Islands that touch each other wake in rounds. Sorting the contacts of each round into all() would take time in
+    // proportion to all contacts in each round.
     void add_to_woken(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
                       const Tuning& tuning);
 
-    // Removes those of the contacts in woken(), from the index `first` on, for which is_over(contact) is true.
-    template <class IsOver>
-    void erase_woken(std::size_t first, IsOver&& is_over) {
-        TUMBLE_CHECK(first <= woken_.size());
-        const auto begin = woken_.begin() + static_cast<std::ptrdiff_t>(first);
-        woken_.erase(std::remove_if(begin, woken_.end(), is_over), woken_.end());
-    }
+    // Sorts the contacts in woken() from the index `first` on.
+    void sort_woken(std::size_t first);
 
     // The contact of a pair among all(), or nullptr.
     Contact* find(ProxyPair pair);
     const Contact* find(ProxyPair pair) const;
 
-    // The same among all() and woken(), which takes time in proportion to the size of woken().
-    const Contact* find_with_woken(ProxyPair pair) const;
+    // The contact of a pair in woken(), or nullptr. `rounds` has the first index of each part of woken() that is
+    // sorted.
+    const Contact* find_in_woken(ProxyPair pair, std::span<const std::uint32_t> rounds) const;
 
     const std::vector<Contact>& woken() const { return woken_; }
     std::vector<Contact>& woken() { return woken_; }
@@ -66,6 +71,9 @@ public:
     }
 
 private:
+    template <class Keep>
+    static void keep_if(std::vector<Contact>& contacts, std::size_t first, Keep&& keep);
+
     // Inserts `count` contacts in order, from the back and without a second buffer. pair_of(i) ascends, and make(i) is
     // the contact of that pair: called once for each i, in descending order, on which the draws of colours depend.
     template <class PairOf, class Make>
@@ -76,15 +84,16 @@ private:
 };
 
 template <class Keep>
-void ContactStore::keep_if(Keep&& keep) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+void ContactStore::keep_if(std::vector<Contact>& contacts, std::size_t first, Keep&& keep) {
+    TUMBLE_CHECK(first <= contacts.size());
+    std::size_t kept = first;
+    for (std::size_t i = first; i < contacts.size(); ++i) {
         TUMBLE_CHECK(kept <= i);
-        if (!keep(contacts_[i])) continue;
-        if (kept < i) contacts_[kept] = contacts_[i];
+        if (!keep(contacts[i])) continue;
+        if (kept < i) contacts[kept] = contacts[i];
         ++kept;
     }
-    contacts_.resize(kept);
+    contacts.resize(kept);
 }
 
 }  // namespace tumble

@@ -6,7 +6,6 @@
 // touches one of its bodies, or when the user changes a body that it rests on.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "dynamics/state/simulation.hpp"
@@ -15,27 +14,6 @@ namespace tumble {
 
 // A stage of the step: measures how long bodies have been slow, and puts islands to sleep.
 void fall_asleep(Simulation& simulation);
-
-// Wakes the island of a body. A body that is awake starts to count its still time again.
-void wake(Simulation& simulation, std::uint32_t body);
-
-// Wakes the sleeping bodies of those of the contacts that touch. Returns false if there are none; otherwise there are
-// new pairs to find and to collide. contact_at(i) is a pointer to the i-th contact, which a body that wakes may move in
-// memory.
-template <class ContactAt>
-bool wake_touched(Simulation& simulation, std::size_t count, ContactAt&& contact_at) {
-    if (simulation.sleeping.count() == 0) return false;
-    bool any = false;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (contact_at(i)->manifold.point_count == 0) continue;
-        for (const std::uint32_t body : {contact_at(i)->body_a, contact_at(i)->body_b}) {
-            if (!simulation.bodies.is_asleep(body)) continue;
-            wake(simulation, body);
-            any = true;
-        }
-    }
-    return any;
-}
 
 // Puts the island of an awake dynamic body to sleep, however fast it moves.
 void put_island_to_sleep(Simulation& simulation, std::uint32_t body);
@@ -48,6 +26,9 @@ bool touch_in_sleep(const Simulation& simulation, std::uint32_t body_a, std::uin
 
 // Merges the islands of two sleeping bodies, which a joint connects.
 void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b);
+
+// Wakes the island of a body. A body that is awake starts to count its still time again.
+void wake(Simulation& simulation, std::uint32_t body);
 
 // Wakes a joint, unless one of its bodies sleeps or is disabled.
 void wake_joint(Simulation& simulation, JointId id);

@@ -88,10 +88,10 @@ struct StartVelocity {
 
 // What the chunks of a stage find. The stages use it one after the other.
 struct ChunkScratch {
-    ChunkLists<std::uint32_t> found;         // indices of contacts
-    std::vector<std::uint32_t> newcomers;    // contacts that left ChainState::apart
-    std::vector<std::uint32_t> woken;        // contacts that woke or began in a round of waking
-    std::vector<std::uint32_t> kept_shapes;  // a shape of each contact that stays although its boxes are apart
+    ChunkLists<std::uint32_t> found;          // indices of contacts
+    std::vector<std::uint32_t> newcomers;     // contacts that left ChainState::apart
+    std::vector<std::uint32_t> woken_rounds;  // the first index of each round in ContactStore::woken()
+    std::vector<std::uint32_t> kept_shapes;   // a shape of each contact that stays although its boxes are apart
     ChunkLists<MovedBox> moved_boxes;
     ChunkLists<GroundContact> ground_contacts;
     std::vector<CollisionCounts> collision_counts;  // by chunk
@@ -99,7 +99,7 @@ struct ChunkScratch {
 
     std::size_t bytes() const {
         return found.bytes() +
-               (newcomers.capacity() + woken.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
+               (newcomers.capacity() + woken_rounds.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
                moved_boxes.bytes() + ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
                contact_counts.capacity() * sizeof(ContactCounts);
     }
