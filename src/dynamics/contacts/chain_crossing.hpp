@@ -79,7 +79,8 @@ struct PosedShape {
 Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, float reach, Vec2 displacement,
                             Contact& contact);
 
-// The second transition. `newcomers` are indices of contacts in ascending order; on return, the undecided ones.
+// The second transition. `contacts` is ContactStore::all() or woken(), and `newcomers` are indices of it in ascending
+// order; on return, the undecided ones. Contacts of the other list count as decided.
 void follow_neighbors(const ChainContacts& chains, std::span<Contact> contacts, std::vector<std::uint32_t>& newcomers);
 
 // True if one of the pair is a one-sided segment and the other crosses it, or a segment that it continues. Costs
