@@ -23,7 +23,7 @@ enum class ProxyLayer : std::uint8_t { fixed, kinematic, dynamic };
 
 class BroadPhase {
 public:
-    // Adds a proxy under a key that has none. Memory grows with the largest key.
+    // Adds a proxy under a key that has none, below 2^31. Memory grows with the largest key.
     void add(std::uint32_t key, const Aabb& box, ProxyLayer layer);
     void remove(std::uint32_t key);
 
@@ -97,8 +97,10 @@ private:
         ProxyLayer layer = ProxyLayer::fixed;
     };
 
+    class TouchedMarks;
+
     static constexpr std::size_t kLeastQueries = 16;  // in a chunk: some us of work
-    static constexpr std::size_t kLeastLeaves = 64;   // the same for the walk of a tree
+    static constexpr std::size_t kLeastLeaves = 64;   // touched ones, for the walk of a tree
     static constexpr std::size_t kPartsOfChunk = 4;   // pairs of subtrees, as some take longer than others
 
     template <class Accept>
@@ -106,7 +108,7 @@ private:
     template <class Accept>
     void keep_new(std::vector<ProxyPair>& found, Accept& accept) const;
     template <class Visitor>
-    void find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const;
+    void find_pairs_of(std::uint32_t key, Visitor&& visit) const;
 
     const AabbTree& tree(ProxyLayer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
     AabbTree& tree(ProxyLayer layer) { return trees_[static_cast<std::size_t>(layer)]; }
@@ -121,19 +123,16 @@ private:
     PairSet pairs_;
 };
 
-// If more than half of the dynamic proxies are touched, one walk of their tree against itself finds all their pairs, in
-// place of a query for each proxy: the pairs of a drum of 2000 boxes take 0.63 ms instead of 1.30 ms.
+// One walk of the dynamic tree against itself finds the pairs of all touched dynamic proxies, in place of a query for
+// each: the pairs of a drum of 2000 boxes take 0.63 ms instead of 1.30 ms, those of 11 000 falling bodies beside 28 000
+// that sleep 3.1 ms instead of 4.3 ms.
 template <class Accept>
 const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& crew) {
-    const auto dynamic = std::count_if(touched_.begin(), touched_.end(),
-                                       [&](std::uint32_t key) { return proxies_[key].layer == ProxyLayer::dynamic; });
-    const bool at_once = 2 * static_cast<std::size_t>(dynamic) > tree(ProxyLayer::dynamic).leaf_count();
     new_pairs_.clear();
-    if (at_once) walk_dynamic(accept, crew);
+    walk_dynamic(accept, crew);
     found_.fill_by_chunk(crew, touched_.size(), kLeastQueries, [&](const Chunk& chunk, std::vector<ProxyPair>& found) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-            find_pairs_of(touched_[i], at_once,
-                          [&](std::uint32_t other) { found.push_back(make_pair_of(touched_[i], other)); });
+            find_pairs_of(touched_[i], [&](std::uint32_t other) { found.push_back(make_pair_of(touched_[i], other)); });
         keep_new(found, accept);
     });
     found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
@@ -144,15 +143,39 @@ const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& 
     return new_pairs_;
 }
 
+// The marks of the touched dynamic proxies. They are removed also if a walk runs out of memory.
+class BroadPhase::TouchedMarks {
+public:
+    explicit TouchedMarks(BroadPhase& broad) : broad_(broad) {
+        for_each_leaf([](AabbTree& tree, AabbTree::Node leaf) { tree.mark(leaf); });
+    }
+    ~TouchedMarks() {
+        for_each_leaf([](AabbTree& tree, AabbTree::Node leaf) { tree.unmark(leaf); });
+    }
+    TouchedMarks(const TouchedMarks&) = delete;
+    TouchedMarks& operator=(const TouchedMarks&) = delete;
+
+private:
+    template <class Act>
+    void for_each_leaf(Act&& act) const {
+        for (const std::uint32_t key : broad_.touched_) {
+            const Proxy& proxy = broad_.proxies_[key];
+            if (proxy.layer == ProxyLayer::dynamic && proxy.leaf != AabbTree::kNone)
+                act(broad_.tree(ProxyLayer::dynamic), proxy.leaf);
+        }
+    }
+
+    BroadPhase& broad_;
+};
+
 // Walks parts of the tree at the same time: pairs of its upper subtrees, which the first steps of the walk find.
 template <class Accept>
 void BroadPhase::walk_dynamic(Accept& accept, Crew& crew) {
     const AabbTree& tree = this->tree(ProxyLayer::dynamic);
-    const std::size_t parts = crew.chunk_count(tree.leaf_count(), kLeastLeaves);
-    const auto add_to = [&](std::vector<ProxyPair>& found) {
-        return [&](std::uint32_t a, std::uint32_t b) {
-            if (is_touched_[a] || is_touched_[b]) found.push_back(make_pair_of(a, b));
-        };
+    const TouchedMarks marks(*this);
+    const std::size_t parts = crew.chunk_count(touched_.size(), kLeastLeaves);
+    const auto add_to = [](std::vector<ProxyPair>& found) {
+        return [&](std::uint32_t a, std::uint32_t b) { found.push_back(make_pair_of(a, b)); };
     };
     tree.visit_upper_pairs(parts > 1 ? kPartsOfChunk * parts : 1, waiting_, add_to(new_pairs_));
     keep_new(new_pairs_, accept);
@@ -182,7 +205,7 @@ void BroadPhase::keep_new(std::vector<ProxyPair>& found, Accept& accept) const {
 // Calls visit(other) for each proxy whose box overlaps that of a touched one, apart from those that the walk of the
 // dynamic tree finds. Of two touched proxies the one with the smaller key finds the pair.
 template <class Visitor>
-void BroadPhase::find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const {
+void BroadPhase::find_pairs_of(std::uint32_t key, Visitor&& visit) const {
     const Proxy& proxy = proxies_[key];
     if (proxy.leaf == AabbTree::kNone) return;
     TUMBLE_CHECK(is_touched_[key] != 0);
@@ -190,8 +213,8 @@ void BroadPhase::find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visito
         if (other != key && !(is_touched_[other] && other < key)) visit(other);
     };
     const ProxyLayer first = proxy.layer == ProxyLayer::fixed ? ProxyLayer::kinematic : ProxyLayer::fixed;
-    const bool skips_dynamic = proxy.layer == ProxyLayer::dynamic && dynamic_are_found;
-    query(proxy.box, visit_others, first, skips_dynamic ? ProxyLayer::kinematic : ProxyLayer::dynamic);
+    const bool is_dynamic = proxy.layer == ProxyLayer::dynamic;
+    query(proxy.box, visit_others, first, is_dynamic ? ProxyLayer::kinematic : ProxyLayer::dynamic);
 }
 
 }  // namespace tumble

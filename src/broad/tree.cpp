@@ -28,11 +28,13 @@ AabbTree::Node AabbTree::allocate() {
 void AabbTree::free(Node node) { free_.push_back(node); }
 
 AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
+    TUMBLE_CHECK(key < kMark);
+    TUMBLE_CHECK(!has_marks());
     TUMBLE_CHECK(box.lower.x <= box.upper.x);
     TUMBLE_CHECK(box.lower.y <= box.upper.y);
     const Node leaf = allocate();
     at(leaf).box = box;
-    at(leaf).key = key;
+    at(leaf).tag = key;
     attach(leaf);
     ++leaf_count_;
     return leaf;
@@ -54,6 +56,7 @@ void AabbTree::remove(Node leaf) {
 }
 
 void AabbTree::move(Node leaf, const Aabb& box) {
+    TUMBLE_CHECK(!has_marks());
     TUMBLE_CHECK(at(leaf).is_leaf());
     TUMBLE_CHECK(box.lower.x <= box.upper.x);
     TUMBLE_CHECK(box.lower.y <= box.upper.y);
@@ -65,6 +68,14 @@ void AabbTree::move(Node leaf, const Aabb& box) {
     detach(leaf);
     at(leaf).box = box;
     attach(leaf);
+}
+
+void AabbTree::mark(Node leaf) {
+    for (Node node = leaf; node != kNone && !at(node).is_marked(); node = at(node).parent) at(node).tag |= kMark;
+}
+
+void AabbTree::unmark(Node leaf) {
+    for (Node node = leaf; node != kNone && at(node).is_marked(); node = at(node).parent) at(node).tag &= ~kMark;
 }
 
 // Greedy descent. Making the new leaf the sibling of `node` adds a parent of the merged perimeter. Descending to a
@@ -203,6 +214,7 @@ std::size_t AabbTree::audit_subtree(Node root) const {
         require(node >= 0 && static_cast<std::size_t>(node) < nodes_.size(), "it is out of range", node);
         require(++count <= nodes_.size(), "it is reached twice", node);
         const NodeData& data = at(node);
+        require(!data.is_marked(), "it is marked between searches", node);
         if (data.is_leaf()) {
             require(data.child[1] == kNone, "it has one child", node);
             continue;

@@ -52,11 +52,19 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Aabb>& boxes) {
     return pairs;
 }
 
-std::set<ProxyPair> pairs_of(const AabbTree& tree) {
+// The pairs of which at least one leaf has a key that `is_marked` holds for. No leaf stays marked.
+template <class IsMarked>
+std::set<ProxyPair> pairs_of(AabbTree& tree, const std::map<std::uint32_t, AabbTree::Node>& leaves,
+                             IsMarked&& is_marked) {
     std::set<ProxyPair> pairs;
+    for (const auto& [key, leaf] : leaves)
+        if (is_marked(key)) tree.mark(leaf);
     tree.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
         CHECK(pairs.insert(make_pair_of(a, b)).second);  // each once
     });
+    for (const auto& [key, leaf] : leaves)
+        if (is_marked(key)) tree.unmark(leaf);
+    tree.for_each_pair([](std::uint32_t, std::uint32_t) { FAIL("a mark is left"); });
     return pairs;
 }
 
@@ -89,6 +97,7 @@ TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
             live[key] = box;
         } else if (boxes.below(3) == 0) {
             tree.remove(leaves[key]);
+            leaves.erase(key);
             live.erase(key);
             ++removed;
         } else {
@@ -104,7 +113,13 @@ TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
         for (const auto& [other, other_box] : live)
             if (overlaps(other_box, queried)) expected.push_back(other);
         REQUIRE(sorted_hits(tree, queried) == expected);
-        if (round % 50 == 0) REQUIRE(pairs_of(tree) == all_overlaps(live));
+        if (round % 50 != 0) continue;
+        for (const std::uint32_t parts : {1u, 2u, 20u, 400u}) {  // all leaves are marked, to none or one
+            const auto is_marked = [parts](std::uint32_t marked) { return marked % parts == 0; };
+            std::set<ProxyPair> pairs = all_overlaps(live);
+            std::erase_if(pairs, [&](ProxyPair pair) { return !is_marked(pair.a) && !is_marked(pair.b); });
+            REQUIRE(pairs_of(tree, leaves, is_marked) == pairs);
+        }
     }
     CHECK(removed > 300);
     CHECK(moved > 600);
@@ -126,12 +141,14 @@ TEST_CASE("boxes inserted along a line do not degenerate the tree to a list") {
 TEST_CASE("a query of a tree that is as deep as a list finds all leaves") {
     AabbTree tree;  // each box holds those before it
     constexpr std::uint32_t n = 120;
+    std::map<std::uint32_t, AabbTree::Node> leaves;
     for (std::uint32_t i = 0; i < n; ++i) {
         const float side = std::ldexp(1.0f, static_cast<int>(i));
-        tree.insert({{-side, -side}, {side, side}}, i);
+        leaves[i] = tree.insert({{-side, -side}, {side, side}}, i);
     }
     CHECK(sorted_hits(tree, {{0.0f, 0.0f}, {0.0f, 0.0f}}).size() == n);
-    CHECK(pairs_of(tree).size() == n * (n - 1) / 2);
+    CHECK(pairs_of(tree, leaves, [](std::uint32_t) { return true; }).size() == n * (n - 1) / 2);
+    CHECK(pairs_of(tree, leaves, [](std::uint32_t key) { return key == n / 2; }).size() == n - 1);
 }
 
 TEST_CASE("pairs are those of brute force through random edits, each reported once") {
@@ -141,7 +158,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
     std::set<ProxyPair> known;
     std::size_t reported = 0;
     for (int round = 0; round < 400; ++round) {
-        const int edits = round % 2 == 0 ? 10 : 100;  // few of the boxes, and most of them: two methods of search
+        const int edits = round % 2 == 0 ? 10 : 100;  // touches few of the boxes, or most of them
         for (int edit = 0; edit < edits; ++edit) {
             const std::uint32_t key = boxes.below(150);
             if (!live.contains(key)) {
