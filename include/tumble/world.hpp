@@ -236,6 +236,10 @@ public:
     std::span<const JointId> joints() const noexcept;
     std::span<const JointId> joints(BodyId id) const;
 
+    // Whether the bodies of the joint, and of the joints of a gear, are all awake and enabled. A step solves the awake
+    // joints, and those that it wakes.
+    bool is_awake(JointId id) const;
+
     const JointDef& joint(JointId id) const;
 
     // The force and torque of the joint on body B in the last step in which it was awake: see JointReaction.

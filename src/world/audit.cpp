@@ -40,6 +40,12 @@ void audit_bodies(const BodyStore& bodies) {
     ensure(moving == bodies.moving.size(), "a solver body belongs to no moving body", moving);
 }
 
+void audit_ids(const Simulation& simulation) {
+    ensure(simulation.bodies.ids.is_sound(), "the list of bodies differs from the owners of their indices", 0);
+    ensure(simulation.shapes.ids.is_sound(), "the list of shapes differs from the owners of their indices", 0);
+    ensure(simulation.joints.ids.is_sound(), "the list of joints differs from the owners of their indices", 0);
+}
+
 void audit_shapes(const Simulation& simulation) {
     std::size_t owned = 0;
     for (const BodyId body : simulation.bodies.ids.live()) {
@@ -150,6 +156,7 @@ void audit_contacts(const Simulation& simulation) {
 void audit(const Simulation& simulation) {
     simulation.broad.audit();
     audit_bodies(simulation.bodies);
+    audit_ids(simulation);
     audit_shapes(simulation);
     audit_joints(simulation);
     audit_islands(simulation);

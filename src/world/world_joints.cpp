@@ -174,6 +174,11 @@ void World::destroy_joint(JointId id) {
     impl_->destroy_joint(id);
 }
 
+bool World::is_awake(JointId id) const {
+    impl_->require(id);
+    return impl_->simulation.joints.is_awake(id);
+}
+
 const JointDef& World::joint(JointId id) const {
     impl_->require(id);
     return impl_->simulation.joints.def(id);

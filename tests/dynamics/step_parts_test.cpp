@@ -119,14 +119,23 @@ TEST_CASE("the displacement since a reference bounds that of every point") {
 TEST_CASE("an id pool uses an index again only when it is recycled") {
     IdPool<BodyId> pool;
     const BodyId first = pool.acquire(), second = pool.acquire();
+    CHECK(pool.is_live(first));
+    CHECK_FALSE(pool.was_live(first));
+    CHECK_FALSE(pool.is_live({first.index, first.generation + 1}));
+    CHECK_FALSE(pool.is_live({2, 0}));
     pool.release(first);
     CHECK_FALSE(pool.is_live(first));
+    CHECK(pool.was_live(first));
+    CHECK_FALSE(pool.is_live(pool.at(first.index)));  // the next owner
     const BodyId third = pool.acquire();
     CHECK(third.index == 2);
     pool.recycle(first.index);
     const BodyId fourth = pool.acquire();
     CHECK(fourth.index == first.index);
     CHECK(fourth.generation == first.generation + 1);
+    CHECK(pool.is_live(fourth));
+    CHECK(pool.is_sound());
+    CHECK_FALSE(pool.is_live(first));
     CHECK(std::vector<BodyId>(pool.live().begin(), pool.live().end()) == std::vector<BodyId>{fourth, second, third});
 }
 

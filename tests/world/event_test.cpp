@@ -205,6 +205,30 @@ TEST_CASE("a ball that hits two walls in each step lists its contacts by body to
     CHECK(ledger.touching.empty());
 }
 
+TEST_CASE("a joint sleeps if one of its bodies sleeps or is disabled") {
+    World world = weightless();
+    const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {2.0, 0.0}, kBox);
+    const BodyId c = add_dynamic(world, {9.0, 0.0}, kBox), d = add_dynamic(world, {12.0, 0.0}, kBox);
+    const JointId resting = world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length = 2.0f});
+    const JointId moving = world.create_joint(DistanceJointDef{.body_a = c, .body_b = d, .length = 3.0f});
+    world.set_velocity(c, {1.0f, 0.0f}, 0.0f);
+    world.set_velocity(d, {1.0f, 0.0f}, 0.0f);
+    CHECK(world.is_awake(resting));
+    CHECK(world.is_awake(moving));
+    run(world, 60);
+    CHECK_FALSE(world.is_awake(a));
+    CHECK_FALSE(world.is_awake(resting));
+    CHECK(world.is_awake(moving));
+    world.set_enabled(d, false);
+    CHECK_FALSE(world.is_awake(moving));
+    world.set_awake(a, true);
+    world.set_enabled(d, true);
+    CHECK(world.is_awake(resting));
+    CHECK(world.is_awake(moving));
+    world.destroy_joint(moving);
+    CHECK_THROWS_AS(world.is_awake(moving), std::invalid_argument);
+}
+
 TEST_CASE("bodies that fall asleep are listed in that step") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {5.0, 0.0}, kBox);
