@@ -110,6 +110,31 @@ TEST_CASE("the work of a motor is counted from the step in which a hit wakes its
     CHECK(near(run.built().work, -30.0 * turned, relative(0.02)));
 }
 
+TEST_CASE("the work of a motor that a program puts to sleep is counted from the pose in which it slept") {
+    const Scene scene = parse_scene(R"({"format": 1, "bodies": [
+        {"name": "arm", "shapes": [{"box": {"size": [4, 0.2]}}], "angular_velocity": 180},
+        {"name": "frame", "type": "static"},
+        {"name": "ball", "position": [1.8, 12], "shapes": [{"circle": {"radius": 0.5}}]}],
+        "joints": [{"type": "revolute", "bodies": ["frame", "arm"], "anchor": [0, 0],
+                    "motor": {"speed": 180, "max_torque": 30}}]})",
+                                    "");
+    SceneRun run(scene);
+    const BodyId arm = run.built().bodies[0].id;
+    const JointId joint = run.built().joints[0].id;
+    for (int step = 0; step < 10; ++step) run.step();
+    CHECK(near(run.built().work, 0.0, absolute(1e-3)));  // the motor keeps the speed
+    auto hinge = std::get<RevoluteJointDef>(run.world().joint(joint));
+    hinge.motor->speed = 0.0f;
+    run.world().set_joint(joint, hinge);
+    run.world().set_awake(arm, false);
+    const double slept_at = angle(run.world().state(arm).pose.rotation);
+    CHECK(slept_at > 0.5);
+    for (int step = 0; step < 140; ++step) run.step();
+    const double turned = std::abs(angle(run.world().state(arm).pose.rotation) - slept_at);
+    CHECK(turned > 0.3);
+    CHECK(near(run.built().work, -30.0 * turned, relative(0.02)));
+}
+
 TEST_CASE("what a motor cannot have done is a gain") {
     // A kinematic plate lifts the weight of 10 N by 2 m, and the motor has 1 N: at least 9 N x 2 m are a gain.
     const std::string plate = R"(, {"name": "plate", "type": "kinematic", "position": [0, -0.5], "velocity": [0, 1],

@@ -177,6 +177,29 @@ TEST_CASE("motors change their speed, a mouse joint its target, and a joint is r
     CHECK(length(position - DVec2{3.0, 1.0}) < 1e-2);
 }
 
+TEST_CASE("events of one condition happen in the order of the file, between those of other conditions") {
+    // Each sets the velocity, so that the last one of a step remains.
+    Scene scene = parse_scene(R"({"format": 1, "world": {"gravity": [0, 0], "steps_per_second": 10}, "bodies": [
+        {"name": "disc", "shapes": [{"circle": {"radius": 0.5}}]}], "timeline": [
+        {"when": "disc.x >= 1", "body": "disc", "velocity": [2, 0]},
+        {"at": 0, "body": "disc", "velocity": [10, 0]},
+        {"when": "disc.x >= 1", "body": "disc", "velocity": [3, 0]},
+        {"when": "disc.x >= 1", "body": "disc", "velocity": [4, 0], "delay": 0.2},
+        {"at": 0.1, "body": "disc", "velocity": [1, 0]}]})",
+                              "");
+    CHECK(speed_after(scene, 1) == 10.0f);
+    CHECK(speed_after(scene, 2) == 1.0f);
+    CHECK(speed_after(scene, 3) == 1.0f);
+    CHECK(speed_after(scene, 4) == 4.0f);
+    scene.timeline[4].at = 0.3;
+    CHECK(speed_after(scene, 2) == 3.0f);
+    CHECK(speed_after(scene, 4) == 1.0f);
+    // With a frame of its own, the third event has a condition of its own.
+    scene.timeline[2].frame = SceneFrame{.position = {1.5, 0.0}};
+    CHECK(speed_after(scene, 2) == 2.0f);
+    CHECK(speed_after(scene, 20) == 3.0f);
+}
+
 TEST_CASE("an invalid timeline is refused at its entry") {
     const auto pointer_of = [](const std::string& event, const std::string& more = "") {
         try {

@@ -30,11 +30,6 @@ bool has_motor(const JointDef& joint) {
         joint);
 }
 
-bool is_asleep(const World& world, JointId joint) {
-    const auto sleeps = [&](BodyId body) { return !world.is_awake(body); };
-    return std::visit([&](const auto& def) { return sleeps(def.body_a) || sleeps(def.body_b); }, world.joint(joint));
-}
-
 }  // namespace
 
 MotorWork::MotorWork(const SceneWorld& built) {
@@ -62,7 +57,7 @@ void MotorWork::start_step(const World& world) {
 void MotorWork::start_step(const World& world, Driven& driven) {
     driven.exists = world.is_valid(driven.joint);
     if (!driven.exists) return;
-    const bool sleeps = is_asleep(world, driven.joint);
+    const bool sleeps = !world.is_awake(driven.joint);
     if (!sleeps || !driven.was_asleep) driven.start = motion_of(world, driven.joint);
     driven.was_asleep = sleeps;
 }
@@ -116,7 +111,7 @@ double MotorWork::end_step(const World& world, double other_work) const {
     Bounds sum;
     for (const Driven& driven : driven_) {
         if (!driven.exists || !world.is_valid(driven.joint)) continue;
-        if (driven.was_asleep && is_asleep(world, driven.joint)) continue;
+        if (driven.was_asleep && !world.is_awake(driven.joint)) continue;
         const Bounds bounds = bounds_of(world, driven);
         sum.steady += bounds.steady;
         sum.most += bounds.most;

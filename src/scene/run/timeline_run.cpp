@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 
 #include "debug/check.hpp"
@@ -16,6 +18,8 @@
 namespace tumble::scene {
 
 namespace {
+
+using ConditionKey = std::tuple<std::string, double, double, double>;  // its text, and the frame of its coordinates
 
 // Does nothing if the joint has no motor.
 void set_motor_speed(JointDef& joint, double speed) {
@@ -34,20 +38,42 @@ DVec2 center_of(const World& world, BodyId body) {
     return transform_point(world.state(body).pose, world.mass(body).center);
 }
 
+double slack(const World& world) { return kTimeSlack / world.def().steps_per_second; }  // s
+
+// Events up to this time are due before the next step, s.
+double due_until(const World& world) { return world.time() + slack(world); }
+
+// The next repetition of an event that has `every`, s.
+double next_repetition(const ScheduledEvent& scheduled) {
+    const SceneEvent& event = scheduled.event;
+    return event.from.value_or(0.0) + static_cast<double>(scheduled.state.count) * event.every.value_or(0.0);
+}
+
+// Whether an event has a repetition at this time, s: `until` is not before it.
+bool repeats_at(const SceneEvent& event, double time, const World& world) {
+    return time <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack(world);
+}
+
 bool is_due(const ScheduledEvent& scheduled, const World& world) {
     const SceneEvent& event = scheduled.event;
-    const double slack = kTimeSlack / world.def().steps_per_second;
-    const double now = world.time() + slack;
+    const double now = due_until(world);
     std::optional<double> at = event.at;
-    if (scheduled.when) {
-        if (scheduled.state.held == 0) return false;
+    if (!event.when.empty()) {
+        if (scheduled.is_waiting()) return false;
         at = static_cast<double>(scheduled.state.held - 1) / world.def().steps_per_second + event.delay.value_or(0.0);
     }
     if (at && scheduled.lasts()) return now >= *at && (!event.until || now < *event.until);
     if (at) return scheduled.state.count == 0 && now >= *at;
-    const double due =
-        event.from.value_or(0.0) + static_cast<double>(scheduled.state.count) * event.every.value_or(0.0);
-    return now >= due && due <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack;
+    const double due = next_repetition(scheduled);
+    return now >= due && repeats_at(event, due, world);
+}
+
+// Whether an event can never be due again. A stop never is over: it is not counted.
+bool is_over(const ScheduledEvent& scheduled, const World& world) {
+    const SceneEvent& event = scheduled.event;
+    if (event.every) return !repeats_at(event, next_repetition(scheduled), world);
+    if (scheduled.lasts()) return event.until && due_until(world) >= *event.until;
+    return scheduled.state.count > 0;
 }
 
 void act_on_body(World& world, const SceneEvent& event, BodyId body) {
@@ -84,6 +110,7 @@ TimelineRun::TimelineRun(const Scene& scene, SceneWorld& built)
     const BodyNames bodies(has_conditions ? scene : Scene{});
     const JointNames joints(has_conditions ? scene : Scene{});
     const KnownNames names{scene, bodies, joints};
+    std::map<ConditionKey, std::size_t> entries;  // of conditions_
     for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
         const SceneEvent& event = scene.timeline[i];
         ScheduledEvent& scheduled = events_.emplace_back();
@@ -94,19 +121,35 @@ TimelineRun::TimelineRun(const Scene& scene, SceneWorld& built)
         const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
         if (!joint.empty() && found != built.joints.end()) scheduled.joint = found->id;
         if (event.spawn) scheduled.plan = plan_body(scene, *event.spawn);
-        if (!event.when.empty())
-            scheduled.when = compile_condition(event.when, &names, event.frame.value_or(SceneFrame{}));
+        if (event.when.empty()) continue;
+        const SceneFrame frame = event.frame.value_or(SceneFrame{});
+        const auto [entry, is_new] = entries.try_emplace(
+            ConditionKey{event.when, frame.position.x, frame.position.y, frame.angle}, conditions_.size());
+        if (is_new) conditions_.push_back({compile_condition(event.when, &names, frame)});
+        conditions_[entry->second].events.push_back(i);
     }
+    open_events();
     watch(built);
+}
+
+void TimelineRun::open_events() {
+    open_.clear();
+    for (const ScheduledEvent& scheduled : events_)
+        if (!scheduled.is_waiting()) open_.push_back(scheduled.index);
+    for (Condition& condition : conditions_)
+        condition.has_held =
+            std::ranges::none_of(condition.events, [&](std::size_t event) { return events_[event].is_waiting(); });
 }
 
 void TimelineRun::apply_due(SceneWorld& built) {
     std::optional<double> before;  // J
-    for (ScheduledEvent& scheduled : events_) {
+    for (const std::size_t index : open_) {
+        ScheduledEvent& scheduled = events_[index];
         if (scheduled.event.stop || !is_due(scheduled, built.world)) continue;
         if (!before && !scheduled.lasts()) before = built.world.energy().total();
         apply(scheduled, built);
     }
+    std::erase_if(open_, [&](std::size_t index) { return is_over(events_[index], built.world); });
     if (before) built.work += built.world.energy().total() - *before;
     for (Push& push : pushes_) {
         push.center = center_of(built.world, push.body);
@@ -125,15 +168,22 @@ void TimelineRun::add_work(SceneWorld& built) {
 }
 
 void TimelineRun::watch(const SceneWorld& built) {
-    for (ScheduledEvent& scheduled : events_)
-        if (scheduled.when && scheduled.state.held == 0 && holds(*scheduled.when, built))
-            scheduled.state.held = 1 + built.world.step_count();
+    const std::size_t before = open_.size();
+    for (Condition& condition : conditions_) {
+        if (condition.has_held || !holds(condition.program, built)) continue;
+        condition.has_held = true;
+        for (const std::size_t index : condition.events) {
+            if (!events_[index].is_waiting()) continue;
+            events_[index].state.held = 1 + built.world.step_count();
+            open_.push_back(index);
+        }
+    }
+    if (open_.size() > before) std::ranges::sort(open_);
 }
 
 bool TimelineRun::is_stopped(const SceneWorld& built) const {
-    return std::ranges::any_of(events_, [&](const ScheduledEvent& scheduled) {
-        return scheduled.event.stop && is_due(scheduled, built.world);
-    });
+    return std::ranges::any_of(
+        open_, [&](std::size_t index) { return events_[index].event.stop && is_due(events_[index], built.world); });
 }
 
 void TimelineRun::apply(ScheduledEvent& scheduled, SceneWorld& built) {
@@ -184,6 +234,7 @@ std::vector<SavedEvent> TimelineRun::state() const {
 bool TimelineRun::set_state(const std::vector<SavedEvent>& state) {
     if (state.size() != events_.size()) return false;
     for (std::size_t i = 0; i < state.size(); ++i) events_[i].state = state[i];
+    open_events();
     return true;
 }
 

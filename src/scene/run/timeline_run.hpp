@@ -22,10 +22,10 @@ struct ScheduledEvent {
     BodyLookup body;                 // that it acts on or despawns
     std::optional<JointId> joint{};  // that it acts on or releases
     std::optional<BodyPlan> plan{};  // of the body that it spawns
-    std::optional<Program> when{};
-    SavedEvent state{};  // how far it is
+    SavedEvent state{};              // how far it is
 
     bool lasts() const { return event.force || event.torque; }
+    bool is_waiting() const { return !event.when.empty() && state.held == 0; }
 };
 
 class TimelineRun {
@@ -56,10 +56,22 @@ private:
         Rotation rotation{};
     };
 
+    // The condition of one event or more: it is evaluated until it has held once.
+    struct Condition {
+        Program program;
+        std::vector<std::size_t> events{};
+        bool has_held = false;
+    };
+
+    void open_events();  // sets open_ and Condition::has_held from the states of the events
     void apply(ScheduledEvent& scheduled, SceneWorld& built);
     void spawn(ScheduledEvent& scheduled, SceneWorld& built);
 
     std::vector<ScheduledEvent> events_;
+    std::vector<Condition> conditions_;
+    // The events that wait for no condition, in the order of the file. Those that are over leave after the next
+    // apply_due().
+    std::vector<std::size_t> open_;
     std::vector<Push> pushes_;
     std::string scene_name_;  // for errors
     std::uint64_t seed_ = 0;
