@@ -149,24 +149,3 @@ TEST_CASE("import writes a valid scene and refuses to replace one") {
     CHECK(run_tumble({"import", folder.write("no.json", "{"), "-o", (folder / "b.json").string()}).code == 3);
     CHECK_FALSE(fs::exists(folder / "b.json"));
 }
-
-TEST_CASE("bench times both engines on the same scenes") {
-    const Answer answer =
-        run_tumble({"bench", "--pairs", "64", "--scenes", "pyramid,arch", "--steps", "5", "--runs", "1", "--json"});
-    REQUIRE_MESSAGE(answer.code == 0, answer.err);
-    const json result = json::parse(answer.out);
-    for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));
-    REQUIRE(result["distance"].size() > 16);
-    for (const json& query : result["distance"]) {
-        CHECK(query["case"].is_string());
-        CHECK(near(query["ratio"].get<double>(), query["box2d_ns"].get<double>() / query["tumble_ns"].get<double>(),
-                   kDouble));
-    }
-    REQUIRE(result["step"].size() == 2);
-    const json& row = result["step"][0];
-    CHECK(row["scene"] == "pyramid");
-    CHECK(row["bodies"] == 211);
-    CHECK(row["contacts"].get<int>() > 0);
-    CHECK(near(row["ratio"].get<double>(), row["box2d_ms"].get<double>() / row["tumble_ms"].get<double>(), kDouble));
-    CHECK(run_tumble({"bench", "--pairs", "0", "--scenes", "no_such_scene"}).code == 4);
-}

@@ -1,4 +1,4 @@
-#include "tools/measure/worlds_bench.hpp"
+#include "tools/bench/worlds_bench.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "tools/measure/query_bench.hpp"
+#include "tools/bench/query_bench.hpp"
 
 #include <vector>
 
