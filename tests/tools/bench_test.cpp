@@ -107,8 +107,8 @@ TEST_CASE("the report of bench has a plot and a table of queries and of scenes, 
     for (const char* stage : {"pairs", "collide", "prepare", "solve", "continuous", "proxies", "events", "sleep"})
         sum += stages[stage].get<double>();
     CHECK(stages["solve"].get<double>() > 0.0);
-    CHECK(sum <= stages["step"].get<double>());
-    CHECK(run_tumble(bench).code == 4);  // the report exists
+    CHECK(sum <= stages["step"].get<double>() * (1.0 + 1e-12));  // both are sums of rounded times
+    CHECK(run_tumble(bench).code == 4);                          // the report exists
 }
 
 TEST_CASE("bench times the scenes of Box2D v3's benchmark with its program") {
