@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdio>
+#include <iterator>
 
 #include "reference/box2d_v3/v3_queries.hpp"
 #include "tools/machine/engines.hpp"
@@ -205,8 +207,10 @@ std::string bench_page(const BenchResult& result) {
         page.paragraph(v3.name + " " + v3.version + ": " + v3.build + ".");
     }
     if (result.options.v3_program)
-        page.paragraph("Box2D v3: the program " + result.options.v3_program->path().string() +
-                       " times the scenes of its own benchmark. Both make as many steps.");
+        page.paragraph(
+            "Box2D v3: the program " + result.options.v3_program->path().string() +
+            " times the scenes of its own benchmark, and all engines make as many steps as it does. It runs "
+            "before each run of tumble: a change of the processor's speed between the two changes their ratio.");
     add_steps(page, result);
     if (result.worlds)
         page.paragraph(
