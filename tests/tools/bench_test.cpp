@@ -111,6 +111,38 @@ TEST_CASE("the report of bench has a plot and a table of queries and of scenes, 
     CHECK(run_tumble(bench).code == 4);                          // the report exists
 }
 
+TEST_CASE("bench measures the growth of a pile, of rain and of a sleeping city") {
+    const Folder folder;
+    const std::string report = folder / "growth.html";
+    std::vector<std::string> bench = {"bench", "--pairs", "0", "--scenes", "pyramid", "--steps",
+                                      "1",     "--runs",  "1", "--growth", "1000"};
+    std::vector<std::string> with_report = bench;
+    with_report.insert(with_report.end(), {"--report", report, "--json"});
+    const Answer answer = run_tumble(with_report);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json rows = json::parse(answer.out)["growth"];
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[0]["world"] == "pile");
+    CHECK(rows[0]["awake"] == 999);
+    CHECK(rows[1]["world"] == "rain");
+    CHECK(rows[1]["awake"] == 999);
+    CHECK(rows[2]["world"] == "sleeping city");
+    CHECK(rows[2]["awake"] == 9);
+    for (const json& row : rows) {
+        CHECK(row["bodies"] == 1000);
+        CHECK(row["bytes"].get<double>() > 400.0);
+        for (const char* time : {"load_us", "build_us", "step_us", "frame_ms"}) CHECK(row[time].get<double>() > 0.0);
+    }
+    CHECK(rows[2]["step_us"].get<double>() < 0.2 * rows[0]["step_us"].get<double>());
+    const std::string page = read_text(report);
+    for (const char* part : {"Growth", "Time of a step for each body", "sleeping city"})
+        CHECK_MESSAGE(contains(page, part), part);
+    bench.back() = "999";
+    CHECK(run_tumble(bench).code == 2);
+    bench.back() = "1000001";
+    CHECK(run_tumble(bench).code == 2);
+}
+
 TEST_CASE("bench times the scenes of Box2D v3's benchmark with its program") {
     const Folder folder;
     const std::string program = write_v3_program(folder);

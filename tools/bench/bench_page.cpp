@@ -194,6 +194,47 @@ void add_queries(HtmlPage& page, const std::vector<QueryBenchResult>& queries) {
     page.table(header, rows);
 }
 
+Plot growth_plot(const std::vector<GrowthResult>& rows) {
+    constexpr std::array<Ink, kGrowthWorlds.size()> kInks = {Ink::tumble, Ink::violet, Ink::teal};
+    Plot plot{.title = "Time of a step for each body",
+              .x = {.label = "bodies", .logarithmic = true},
+              .y = {.label = "us", .logarithmic = true},
+              .series = {}};
+    for (std::size_t i = 0; i < kGrowthWorlds.size(); ++i) {
+        PlotSeries line{.name = kGrowthWorlds[i].name, .ink = kInks[i], .mark = Mark::line}, points = line;
+        points.name.clear();
+        points.mark = Mark::points;
+        for (const GrowthResult& row : rows)
+            if (row.world == line.name) points.points.push_back({static_cast<double>(row.bodies), row.step_us});
+        line.points = points.points;
+        plot.series.insert(plot.series.end(), {line, points});
+    }
+    return plot;
+}
+
+void add_growth(HtmlPage& page, const BenchResult& result) {
+    if (result.growth.empty()) return;
+    page.heading("Growth");
+    page.paragraph("Wall clock, median of " + counted(result.options.runs, "run") +
+                   ". The pile and the rain do not sleep; in the sleeping city nine bodies of a thousand are awake. A "
+                   "frame has 1280 x 720 pixels, with all bodies in view, and is written as a PNG file.");
+    page.figure(growth_plot(result.growth));
+    const std::vector<std::string> header = {
+        "world",           "bodies",           "awake",    "step, us a body", "memory, bytes a body",
+        "load, us a body", "build, us a body", "frame, ms"};
+    std::vector<std::vector<HtmlCell>> rows;
+    for (const GrowthResult& row : result.growth)
+        rows.push_back({{.text = row.world},
+                        count(static_cast<std::size_t>(row.bodies)),
+                        count(static_cast<std::size_t>(row.awake)),
+                        number(row.step_us),
+                        number(row.bytes),
+                        number(row.load_us),
+                        number(row.build_us),
+                        number(row.frame_ms)});
+    page.table(header, rows);
+}
+
 }  // namespace
 
 std::string bench_page(const BenchResult& result) {
@@ -216,6 +257,7 @@ std::string bench_page(const BenchResult& result) {
         page.paragraph(
             std::to_string(result.world_count) + " worlds of ten bodies: " + four_digits(result.worlds->serial_rate) +
             " steps/s on one thread, " + four_digits(result.worlds->parallel_rate) + " on all, by wall clock.");
+    add_growth(page, result);
     add_queries(page, result.queries);
     return page.str();
 }

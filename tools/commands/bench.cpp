@@ -9,6 +9,7 @@
 
 #include "reference/box2d_v3/v3_queries.hpp"
 #include "tools/bench/bench_page.hpp"
+#include "tools/bench/growth_bench.hpp"
 #include "tools/bench/query_bench.hpp"
 #include "tools/bench/step_bench.hpp"
 #include "tools/bench/worlds_bench.hpp"
@@ -19,6 +20,7 @@
 #include "tools/machine/engines.hpp"
 #include "tools/machine/machine.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/step_stages.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/data_paths.hpp"
@@ -33,6 +35,7 @@ struct BenchArguments {
     StepBenchOptions steps;
     QueryBenchOptions queries;
     WorldsBenchOptions worlds;
+    int most_bodies = 0;  // of the growth; 0: not measured
     std::string v3_program;
     std::string report;
     bool force = false;
@@ -145,6 +148,43 @@ void bench_all_worlds(const Command& command, const BenchArguments& arguments, J
     write_output(line);
 }
 
+void write_row(const GrowthResult& row) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%-14s %8d %8d %12.4f %10.0f %10.2f %10.2f %12.1f\n", row.world.c_str(),
+                  row.bodies, row.awake, row.step_us, row.bytes, row.load_us, row.build_us, row.frame_ms);
+    write_output(line);
+}
+
+void write_row(JsonWriter& json, const GrowthResult& row) {
+    json.open_object()
+        .member("world", row.world)
+        .member("bodies", row.bodies)
+        .member("awake", row.awake)
+        .member("step_us", row.step_us)
+        .member("bytes", row.bytes)
+        .member("load_us", row.load_us)
+        .member("build_us", row.build_us)
+        .member("frame_ms", row.frame_ms)
+        .close_object();
+}
+
+void bench_all_growth(const Command& command, int most_bodies, JsonWriter& json, BenchResult& result) {
+    if (most_bodies == 0) return;
+    const GrowthOptions options{.runs = result.options.runs, .threads = result.options.threads};
+    if (!command.json)
+        write_output(
+            "world            bodies    awake      step us      bytes    load us   build us     frame ms"
+            "   (per body, but for the frame; wall clock)\n");
+    for (const GrowthName& world : kGrowthWorlds)
+        for (const int bodies : growth_sizes(most_bodies)) {
+            narrate_progress("measuring " + std::string(world.name) + ", " + counted(bodies, "body") + "\n");
+            const GrowthResult row = bench_growth(world, bodies, options);
+            result.growth.push_back(row);
+            write_row(json, row);
+            if (!command.json) write_row(row);
+        }
+}
+
 ExitCode bench(const Command& command, const BenchArguments& options) {
     if (!options.report.empty()) refuse_to_overwrite(options.report, options.force);
     std::vector<Scene> scenes;  // read first, so that an error in one is not reported after minutes of measurements
@@ -160,6 +200,8 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     bench_all_scenes(command, scenes, json, result);
     json.close_array().key("worlds").open_array();
     bench_all_worlds(command, options, json, result);
+    json.close_array().key("growth").open_array();
+    bench_all_growth(command, options.most_bodies, json, result);
     json.close_array().key("render").open_array().close_array().key("machine");
     write_machine(json);
     write_engines(json, reference::has_box2d_v3());
@@ -196,6 +238,11 @@ void add_bench(CLI::App& app, Command& command) {
                     "Also step N small worlds at once, on one thread and on --threads or all")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 100000));
+    app_bench
+        .add_option("--growth", options->most_bodies,
+                    "Also measure worlds of 1000 to N bodies, ten times as many each time")
+        ->capture_default_str()
+        ->check(whole_number_from_to(kSmallestGrowth, kLargestGrowth));
     app_bench
         .add_option("--box2d-v3", options->v3_program,
                     "The benchmark program of Box2D v3, which then times the scenes that it has")
