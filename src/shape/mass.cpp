@@ -77,11 +77,12 @@ Moments moments_about(const Shape& shape, DVec2 origin) {
     DVec2 previous = outward_normal(count - 1);
     for (std::size_t i = 0; i < count; ++i) {
         const DVec2 from = vertices[i], to = vertices[(i + 1) % count], normal = outward_normal(i);
-        const double turn = std::abs(arc_tangent(cross(previous, normal), dot(previous, normal)));
-        TUMBLE_CHECK(!(turn < 0.0));
         add_triangle(moments, from, to);
-        add_edge_strip(moments, from, to, normal, radius);
-        add_corner_sector(moments, from, previous, normal, turn, radius);
+        if (radius > 0.0) {
+            const double turn = std::abs(arc_tangent(cross(previous, normal), dot(previous, normal)));
+            add_edge_strip(moments, from, to, normal, radius);
+            add_corner_sector(moments, from, previous, normal, turn, radius);
+        }
         previous = normal;
     }
     return moments;
