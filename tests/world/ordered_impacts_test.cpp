@@ -63,7 +63,30 @@ void add_walls(World& world, float size, const SurfaceMaterial& material) {
     }
 }
 
+// Discs of radius 0.1 m in a square of 10 m, each as fast, and each in another direction.
+World dense_gas(float speed) {
+    constexpr int kColumns = 19, kRows = 16;
+    World world = ordered();
+    add_walls(world, 10.0f, kElastic);
+    for (int i = 0; i < kColumns * kRows; ++i) {
+        const DVec2 at{0.5 * (i % kColumns - 9), 0.58 * (i / kColumns - 7.5)};
+        const float angle = 2.4f * static_cast<float>(i);
+        throw_disc(world, at, {speed * std::cos(angle), speed * std::sin(angle)}, kElastic, 0.1f);
+    }
+    return world;
+}
+
 }  // namespace
+
+TEST_CASE("in order: smooth discs that have several impacts in a step keep their energy and do not spin") {
+    World world = dense_gas(100.0f);
+    const double energy = kinetic_energy(world);
+    for (int step = 0; step < 6; ++step) {
+        world.step();
+        CHECK(near(kinetic_energy(world), energy, relative(1e-6)));
+        for (const BodyId id : world.bodies()) CHECK(std::abs(world.state(id).angular_velocity) < 0.1f);
+    }
+}
 
 TEST_CASE("in order: friction during an impact is mu times its impulse, at every phase of the step") {
     check_oblique(0.0f, 0.05f);

@@ -1,7 +1,6 @@
 #include "dynamics/continuous/impact_response.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
@@ -50,7 +49,7 @@ public:
         }
         for (std::size_t i = 0; i < scratch_.members.size(); ++i) apply(i);
         store_impulses();
-        for (std::size_t i = first_; i < scratch_.impacts.size(); ++i) link(static_cast<int>(i));
+        for (std::size_t i = first_; i < scratch_.impacts.size(); ++i) link_impact(simulation_, static_cast<int>(i));
     }
 
 private:
@@ -175,7 +174,7 @@ private:
             if (scratch_.members[i] == kNotSwept || group_.bodies[i].change == Twist{}) continue;
             const std::uint32_t body = scratch_.swept[scratch_.members[i]].body;
             for (const BodyContact& contact : contacts_of(simulation_, body))
-                if (may_add(contact.shapes)) add_touching(simulation_.contacts.all()[contact.index], least);
+                if (may_add(contact.shapes)) add_contact(simulation_.contacts.all()[contact.index], least);
             add_earlier(body, scratch_.swept[scratch_.members[i]].last_impact, least);
         }
         ++group_.depth;
@@ -225,6 +224,17 @@ private:
     bool is_in_group(ProxyPair shapes) const {
         return std::any_of(scratch_.group_points.begin(), scratch_.group_points.end(),
                            [&](const GroupPoint& own) { return own.shapes == shapes; });
+    }
+
+    // The manifold of the start of the step tells nothing of shapes that moved far since then. They collide again if
+    // they bounce: with arms that are wrong, the impulse makes them spin.
+    void add_contact(const Contact& contact, double least) {
+        const double moved =
+            length(shift_in_step(simulation_, contact.body_b) - shift_in_step(simulation_, contact.body_a));
+        if (contact.restitution == 0.0f || moved <= static_cast<double>(contact.speculative_distance))
+            add_touching(contact, least);
+        else if (contact.manifold.point_count > 0)
+            add_if_approached(contact.shapes, least);
     }
 
     void add_touching(const Contact& contact, double least) {
@@ -293,7 +303,7 @@ private:
         if (swept == kNotSwept) return {before, {}};
         const SinCos turn = scratch_.member_turns[index];
         const DVec2 now{turn.cos * before.x - turn.sin * before.y, turn.sin * before.x + turn.cos * before.y};
-        return {now, (scratch_.swept[swept].sweep.start - frame.center) + (now - before)};
+        return {now, shift_in_step(simulation_, body) + (now - before)};
     }
 
     // Of the impact itself, for events.
@@ -348,18 +358,6 @@ private:
             contact->is_bouncing = false;
         }
         if (Contact* const contact = simulation_.contacts.find(impact_.shapes)) contact->is_bouncing = false;
-    }
-
-    // Makes an impact the last one of its two bodies.
-    void link(int index) {
-        Impact& impact = scratch_.impacts[static_cast<std::size_t>(index)];
-        impact.previous_of_a = exchange_last(body_of(impact.shapes.a), index);
-        impact.previous_of_b = exchange_last(body_of(impact.shapes.b), index);
-    }
-
-    int exchange_last(std::uint32_t body, int index) {
-        const std::uint32_t swept = find_swept(simulation_, body);
-        return swept == kNotSwept ? -1 : std::exchange(scratch_.swept[swept].last_impact, index);
     }
 
     Simulation& simulation_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
@@ -157,6 +158,23 @@ bool has_bounce(Simulation& simulation, std::uint32_t swept) {
     return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
         return simulation.contacts.all()[contact.index].is_bouncing;
     });
+}
+
+DVec2 shift_in_step(const Simulation& simulation, std::uint32_t body) {
+    const std::uint32_t swept = find_swept(simulation, body);
+    if (swept == kNotSwept) return {};
+    return simulation.scratch->ordered_impacts.swept[swept].sweep.start - simulation.bodies.frames[body].center;
+}
+
+void link_impact(Simulation& simulation, int index) {
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
+    Impact& impact = scratch.impacts[static_cast<std::size_t>(index)];
+    const auto exchange_last = [&](std::uint32_t shape) {
+        const std::uint32_t swept = find_swept(simulation, simulation.shapes[shape].body);
+        return swept == kNotSwept ? -1 : std::exchange(scratch.swept[swept].last_impact, index);
+    };
+    impact.previous_of_a = exchange_last(impact.shapes.a);
+    impact.previous_of_b = exchange_last(impact.shapes.b);
 }
 
 void store_swept_bodies(Simulation& simulation) {
