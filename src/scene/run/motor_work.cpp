@@ -30,6 +30,20 @@ bool has_motor(const JointDef& joint) {
         joint);
 }
 
+// False if the motor turns the bodies and does nothing else.
+bool moves_anchors(const JointDef& joint) {
+    return std::visit(
+        [](const auto& def) {
+            if constexpr (requires { def.motor->max_torque; }) return false;
+            return true;
+        },
+        joint);
+}
+
+Rotation rotation_between(const Rotation& a, const Rotation& b) {
+    return {a.c * b.c + a.s * b.s, a.c * b.s - a.s * b.c};
+}
+
 }  // namespace
 
 MotorWork::MotorWork(const SceneWorld& built) {
@@ -38,14 +52,18 @@ MotorWork::MotorWork(const SceneWorld& built) {
 }
 
 MotorWork::Motion MotorWork::motion_of(const World& world, JointId joint) {
-    const auto [body_a, body_b] =
-        std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); }, world.joint(joint));
-    const JointAnchors anchors = world.joint_anchors(joint).value_or(JointAnchors{});
+    const JointDef& def = world.joint(joint);
+    const auto [body_a, body_b] = std::visit([](const auto& of) { return std::pair(of.body_a, of.body_b); }, def);
     const BodyState a = world.state(body_a), b = world.state(body_b);
-    const Rotation p = a.pose.rotation, q = b.pose.rotation;
-    return {angle(Rotation{p.c * q.c + p.s * q.s, p.c * q.s - p.s * q.c}),
-            double{b.angular_velocity} - double{a.angular_velocity}, anchors.b - anchors.a,
-            DVec2(world.velocity_at(body_b, anchors.b)) - DVec2(world.velocity_at(body_a, anchors.a))};
+    Motion motion{rotation_between(a.pose.rotation, b.pose.rotation),
+                  double{b.angular_velocity} - double{a.angular_velocity},
+                  {},
+                  {}};
+    if (!moves_anchors(def)) return motion;
+    const JointAnchors anchors = world.joint_anchors(joint).value_or(JointAnchors{});
+    motion.separation = anchors.b - anchors.a;
+    motion.velocity = DVec2(world.velocity_at(body_b, anchors.b)) - DVec2(world.velocity_at(body_a, anchors.a));
+    return motion;
 }
 
 void MotorWork::start_step(const World& world) {
@@ -67,7 +85,7 @@ MotorWork::Bounds MotorWork::bounds_of(const World& world, const Driven& driven)
     const Motion &start = driven.start, end = motion_of(world, driven.joint);
     const JointReaction reaction = world.reaction(driven.joint);
     const double expected = 0.5 * duration * (start.turning + end.turning);
-    const double wrapped = end.angle - start.angle;
+    const double wrapped = angle(rotation_between(start.rotation, end.rotation));
     const double turned = wrapped + std::nearbyint((expected - wrapped) / kTurn) * kTurn;
 
     Bounds sum;
