@@ -51,6 +51,12 @@ std::string bodies_of(GrowthWorld world, int parts) {
     return bodies;
 }
 
+std::string growth_scene(GrowthWorld world, int bodies) {
+    const std::string sleeping = world == GrowthWorld::city ? "true" : "false";
+    return R"({"format": 1, "name": "growth", "world": {"sleeping": )" + sleeping + R"(}, "bodies": [)" +
+           bodies_of(world, bodies / kSmallestGrowth) + "]}";
+}
+
 struct GrowthTimes {
     std::vector<double> load, build, steps, frame;  // s, of each run
 };
@@ -88,12 +94,6 @@ void time_run(const std::string& text, const GrowthOptions& options, GrowthTimes
 }
 
 }  // namespace
-
-std::string growth_scene(GrowthWorld world, int bodies) {
-    const std::string sleeping = world == GrowthWorld::city ? "true" : "false";
-    return R"({"format": 1, "name": "growth", "world": {"sleeping": )" + sleeping + R"(}, "bodies": [)" +
-           bodies_of(world, bodies / kSmallestGrowth) + "]}";
-}
 
 GrowthResult bench_growth(const GrowthName& world, int bodies, const GrowthOptions& options) {
     GrowthResult result{.world = world.name};

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -41,10 +40,8 @@ struct GrowthResult {
     double frame_ms = 0.0;  // to draw all bodies in 1280 x 720 pixels and write the PNG file
 };
 
-// The scene as a text. `bodies` is a multiple of kSmallestGrowth.
-std::string growth_scene(GrowthWorld world, int bodies);
-
-// The mean of 20 steps, after 20 others. A frame is drawn after the last one.
+// The mean of 20 steps, after 20 others. A frame is drawn after the last one. `bodies` is a multiple of
+// kSmallestGrowth.
 GrowthResult bench_growth(const GrowthName& world, int bodies, const GrowthOptions& options);
 
 // kSmallestGrowth and its multiples by powers of ten, up to `most`.

@@ -8,9 +8,13 @@ namespace tumble::scene {
 
 inline Pose make_frame(const SceneFrame& frame) { return {frame.position, make_rotation_degrees(frame.angle)}; }
 
+// The rotation that turns `from` into `to`.
+inline Rotation rotation_between(Rotation from, Rotation to) {
+    return {from.c * to.c + from.s * to.s, from.c * to.s - from.s * to.c};
+}
+
 inline Pose seen_from(const Pose& frame, const Pose& pose) {
-    const Rotation f = frame.rotation, q = pose.rotation;
-    return {inverse_transform_point(frame, pose.position), {f.c * q.c + f.s * q.s, f.c * q.s - f.s * q.c}};
+    return {inverse_transform_point(frame, pose.position), rotation_between(frame.rotation, pose.rotation)};
 }
 
 }  // namespace tumble::scene

@@ -5,6 +5,8 @@
 #include <optional>
 #include <variant>
 
+#include "scene/model/frame.hpp"
+
 namespace tumble::scene {
 
 namespace {
@@ -38,10 +40,6 @@ bool moves_anchors(const JointDef& joint) {
             return true;
         },
         joint);
-}
-
-Rotation rotation_between(const Rotation& a, const Rotation& b) {
-    return {a.c * b.c + a.s * b.s, a.c * b.s - a.s * b.c};
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ public:
     double end_step(const World& world, double other_work) const;
 
 private:
-    // The relative motion of the two bodies of a joint, as far as its motor has power over it.
+    // The relative motion of the two bodies of a joint.
     struct Motion {
         Rotation rotation;     // from that of A to that of B
         double turning = 0.0;  // rad/s
-        DVec2 separation;      // from A's anchor to B's, world axes, m; of motors that move the anchors
-        DVec2 velocity;        // of B's anchor relative to A's, m/s; of these too
+        DVec2 separation;      // from A's anchor to B's, world axes, m; 0 for a motor that only turns
+        DVec2 velocity;        // of B's anchor relative to A's, m/s; 0 for such a motor
     };
     struct Driven {
         JointId joint;

@@ -11,6 +11,7 @@
 #include "scene/expressions/evaluate.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/model/degrees.hpp"
+#include "scene/model/frame.hpp"
 #include "scene/model/place_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "scene/model/step_time.hpp"
@@ -160,9 +161,9 @@ void TimelineRun::apply_due(SceneWorld& built) {
 void TimelineRun::add_work(SceneWorld& built) {
     for (const Push& push : pushes_) {
         if (built.world.type(push.body) != BodyType::dynamic_body) continue;
-        const Rotation p = push.rotation, q = built.world.state(push.body).pose.rotation;
+        const Rotation rotation = built.world.state(push.body).pose.rotation;
         built.work += dot(push.force, center_of(built.world, push.body) - push.center) +
-                      push.torque * angle(Rotation{p.c * q.c + p.s * q.s, p.c * q.s - p.s * q.c});
+                      push.torque * angle(rotation_between(push.rotation, rotation));
     }
     pushes_.clear();
 }
