@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/discs.hpp"
 #include "support/near.hpp"
 #include "support/worlds.hpp"
 
@@ -12,22 +13,6 @@ using namespace tumble;
 using namespace tumble::test;
 
 namespace {
-
-constexpr SurfaceMaterial kElastic{.friction = 0.0f, .restitution = 1.0f};
-
-World ordered(Vec2 gravity = {}) {
-    WorldDef def;
-    def.gravity = gravity;
-    def.sleeping = false;
-    def.impacts = ImpactModel::in_order;
-    return World(def);
-}
-
-BodyId throw_disc(World& world, DVec2 from, Vec2 velocity, const SurfaceMaterial& material, float radius = 0.5f) {
-    const BodyId disc = add_dynamic(world, from, make_circle(radius), material);
-    world.set_velocity(disc, velocity, 0.0f);
-    return disc;
-}
 
 // The speed along the floor after an oblique impact at 10 m/s down and 5 m/s along, for each phase of the step.
 void check_oblique(float restitution, float friction) {
@@ -45,48 +30,7 @@ void check_oblique(float restitution, float friction) {
     }
 }
 
-double kinetic_energy(const World& world) {
-    double energy = 0.0;
-    for (const BodyId id : world.bodies()) {
-        const Vec2 velocity = world.state(id).velocity;
-        energy += 0.5 * static_cast<double>(world.mass(id).mass * length_sq(velocity));
-    }
-    return energy;
-}
-
-// Four walls around a square of a side `size` about the origin.
-void add_walls(World& world, float size, const SurfaceMaterial& material) {
-    const double middle = 0.5 * static_cast<double>(size) + 0.5;
-    for (const double side : {-1.0, 1.0}) {
-        add_static(world, {side * middle, 0.0}, make_box({1.0f, size + 2.0f}), material);
-        add_static(world, {0.0, side * middle}, make_box({size + 2.0f, 1.0f}), material);
-    }
-}
-
-// Discs of radius 0.1 m in a square of 10 m, each as fast, and each in another direction.
-World dense_gas(float speed) {
-    constexpr int kColumns = 19, kRows = 16;
-    World world = ordered();
-    add_walls(world, 10.0f, kElastic);
-    for (int i = 0; i < kColumns * kRows; ++i) {
-        const DVec2 at{0.5 * (i % kColumns - 9), 0.58 * (i / kColumns - 7.5)};
-        const float angle = 2.4f * static_cast<float>(i);
-        throw_disc(world, at, {speed * std::cos(angle), speed * std::sin(angle)}, kElastic, 0.1f);
-    }
-    return world;
-}
-
 }  // namespace
-
-TEST_CASE("in order: smooth discs that have several impacts in a step keep their energy and do not spin") {
-    World world = dense_gas(100.0f);
-    const double energy = kinetic_energy(world);
-    for (int step = 0; step < 6; ++step) {
-        world.step();
-        CHECK(near(kinetic_energy(world), energy, relative(1e-6)));
-        for (const BodyId id : world.bodies()) CHECK(std::abs(world.state(id).angular_velocity) < 0.1f);
-    }
-}
 
 TEST_CASE("in order: friction during an impact is mu times its impulse, at every phase of the step") {
     check_oblique(0.0f, 0.05f);

@@ -6,6 +6,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/contacts/separation.hpp"
 #include "dynamics/continuous/shape_core.hpp"
 #include "dynamics/continuous/swept_bodies.hpp"
@@ -63,7 +64,8 @@ private:
     struct Stop {
         double fraction = 1.0;
         DVec2 point, normal;      // world; the normal is unit, from the immovable shape
-        std::uint32_t other = 0;  // that shape
+        std::uint32_t own = 0;    // the shape of the body
+        std::uint32_t other = 0;  // the immovable shape
         bool is_middle = false;   // the core that touches is the middle point
     };
 
@@ -85,21 +87,20 @@ private:
     Sweep sweep_between(std::uint32_t body) const { return part_of(sweep_of(simulation_.bodies, body), from_, to_); }
 
     void search(std::uint32_t own) {
-        const ShapeRecord& shape = simulation_.shapes[own];
         std::vector<std::uint32_t>& near = simulation_.scratch->near_shapes;
         near.clear();
         simulation_.broad.query(
-            box_of_sweep(shape.shape, sweep_), [&](std::uint32_t other) { near.push_back(other); }, ProxyLayer::fixed,
-            ProxyLayer::kinematic);
+            box_of_sweep(simulation_.shapes[own].shape, sweep_), [&](std::uint32_t other) { near.push_back(other); },
+            ProxyLayer::fixed, ProxyLayer::kinematic);
         for (const std::uint32_t other : near) {
             const ProxyPair pair = make_pair_of(own, other);
-            if (may_touch(simulation_, pair) && !crosses_chain(simulation_.chain_contacts(), pair)) meet(shape, other);
+            if (may_touch(simulation_, pair) && !crosses_chain(simulation_.chain_contacts(), pair)) meet(own, other);
         }
     }
 
     // Takes the first contact of a core with another shape if it is earlier; of two at one time, that of the lower one.
-    void meet(const ShapeRecord& shape, std::uint32_t other) {
-        const ShapeRecord& immovable = simulation_.shapes[other];
+    void meet(std::uint32_t own, std::uint32_t other) {
+        const ShapeRecord &shape = simulation_.shapes[own], &immovable = simulation_.shapes[other];
         const Sweep sweep = sweep_between(immovable.body);
         if (immovable.link &&
             is_behind(immovable.shape, *immovable.link, pose_at(sweep, 0.0), shape.shape, pose_at(sweep_, 0.0)))
@@ -110,7 +111,7 @@ private:
             part = part_outside(shape, immovable, sweep);
             hit = time_of_impact(immovable.shape, sweep, core_of(shape, part), sweep_);
         }
-        take(hit, other, part == 0.0f);
+        take(hit, own, other, part == 0.0f);
     }
 
     // The part of the largest core of the shape that is out of the other one when the motion begins, by bisection; 0 if
@@ -127,9 +128,9 @@ private:
         return out;
     }
 
-    void take(const CastResult& hit, std::uint32_t other, bool is_middle) {
+    void take(const CastResult& hit, std::uint32_t own, std::uint32_t other, bool is_middle) {
         if (hit.status == CastStatus::hit && std::tie(hit.fraction, other) < std::tie(first_.fraction, first_.other))
-            first_ = {hit.fraction, hit.point, hit.normal, other, is_middle};
+            first_ = {hit.fraction, hit.point, hit.normal, own, other, is_middle};
     }
 
     // True if the body moves as the shape that it meets, up to rounding: it touches that all the time.
@@ -159,7 +160,13 @@ private:
         moved_.delta_rotation = make_rotation(sweep_.start_angle + sweep_.turn - angle(frame.pose.rotation));
         const double speed =
             dot(DVec2(moved_.velocity), first_.normal) - along / static_cast<double>(simulation_.settings.duration);
-        if (speed < 0.0) moved_.velocity -= allowed(moved_.flags, to_float(speed * first_.normal));
+        if (speed < 0.0 && !bounces()) moved_.velocity -= allowed(moved_.flags, to_float(speed * first_.normal));
+    }
+
+    // A body that bounces keeps its velocity: the next step reflects it.
+    bool bounces() const {
+        const ProxyPair pair = make_pair_of(first_.own, first_.other);
+        return make_contact(pair, simulation_.shapes, simulation_.settings.tuning).restitution > 0.0f;
     }
 
     // True if the rotation leaves the touching point where it is: the middle of a shape that is half inside. To stop

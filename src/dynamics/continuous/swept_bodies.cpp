@@ -160,10 +160,14 @@ bool has_bounce(Simulation& simulation, std::uint32_t swept) {
     });
 }
 
-DVec2 shift_in_step(const Simulation& simulation, std::uint32_t body) {
+Sweep motion_until(const Simulation& simulation, std::uint32_t body, double time) {
     const std::uint32_t swept = find_swept(simulation, body);
-    if (swept == kNotSwept) return {};
-    return simulation.scratch->ordered_impacts.swept[swept].sweep.start - simulation.bodies.frames[body].center;
+    if (swept == kNotSwept) return part_of(sweep_of(simulation.bodies, body), 0.0, time);
+    const SweptBody& moved = simulation.scratch->ordered_impacts.swept[swept];
+    const Sweep ahead = moved.sweep_from(time);
+    const DVec2 center = ahead.start + moved.bulge(time, static_cast<double>(simulation.settings.duration));
+    return {ahead.local_center, simulation.bodies.frames[body].center, center, moved.first_angle,
+            ahead.start_angle - moved.first_angle};
 }
 
 void link_impact(Simulation& simulation, int index) {

@@ -34,9 +34,9 @@ bool may_reach_immovable(const Simulation& simulation, std::uint32_t body);
 // True if a contact of the body has still to bounce.
 bool has_bounce(Simulation& simulation, std::uint32_t swept);
 
-// The displacement of a body's centre of mass from the start of the step to its last impact, m. Zero if it is not
-// swept.
-DVec2 shift_in_step(const Simulation& simulation, std::uint32_t body);
+// The motion of a body from the start of the step until a time, a fraction of the step that must not be before that of
+// its last impact.
+Sweep motion_until(const Simulation& simulation, std::uint32_t body, double time);
 
 // Makes an impact, by its index among all of the step, the last one of its two bodies.
 void link_impact(Simulation& simulation, int index);
