@@ -236,21 +236,26 @@ TEST_CASE("grid lines lie on whole pixels at round coordinates, also far from th
         Layer layer;
         const View view{{x, 0.3}, 37.0, 641, 360};
         add_grid(layer, view);
-        REQUIRE(layer.boxes.size() > 10);
-        for (const BoxInstance& line : layer.boxes) {
-            if (line.half_x != 0.5f) continue;
-            CHECK(line.x == std::floor(line.x));  // 641 columns: the middle of the frame is the middle of a pixel
+        int vertical = 0;
+        REQUIRE(layer.mesh.size() > 6 * 10);
+        for (std::size_t i = 0; i < layer.mesh.size(); i += 6) {  // two triangles to a line
+            const float left = layer.mesh[i].x, right = layer.mesh[i + 1].x;
+            if (right - left != 1.0f) continue;
+            const float middle = 0.5f * (left + right);
+            CHECK(middle == std::floor(middle));  // 641 columns: the middle of the frame is the middle of a pixel
             // 360 rows, half the detail of 720: lines at least 18 pixels apart, so every 50 cm.
-            const double steps = view.to_world({line.x, 0.0}).x / 0.5;
+            const double steps = view.to_world({middle, 0.0}).x / 0.5;
             CHECK(std::abs(steps - std::round(steps)) * 0.5 < 0.51 / view.scale);
+            ++vertical;
         }
+        CHECK(vertical > 10);
     }
 }
 
 TEST_CASE("where doubles are farther apart than grid lines, there are none") {
     Layer layer;
     add_grid(layer, {{1e6, 1e6}, 1e13, 1280, 720});  // neighbours are 1e-10 m apart, a thousand pixels
-    CHECK(layer.boxes.empty());
+    CHECK(layer.mesh.empty());
 }
 
 TEST_CASE("a round length is the least of 1, 2 or 5 times a power of ten that is long enough") {

@@ -7,6 +7,7 @@
 namespace tumble::render {
 namespace {
 
+constexpr float kDepthInside = -1.0f;       // pixels: so deep in a shape that no edge is blended
 constexpr double kLeastLineSpacing = 36.0;  // pixels at 720 rows between fine lines
 
 double power_of_ten(int exponent) {
@@ -15,19 +16,17 @@ double power_of_ten(int exponent) {
     return exponent < 0 ? 1.0 / power : power;
 }
 
-// A sharp line along one axis through pixel `at` of the other.
+// A sharp line along one axis through pixel `at` of the other. It covers whole pixels, so that it needs no blended
+// edge: as a box, which has one, the grid took a fifth of the time of a frame of a thousand bodies.
 void add_grid_line(Layer& layer, const View& view, bool is_vertical, double at, Color color) {
     // The pixel grid is shifted by half a pixel from the middle of a frame of odd size.
     const double parity = (is_vertical ? view.width : view.height) % 2 == 0 ? 0.5 : 0.0;
     const float center = static_cast<float>(std::floor(at - parity + 0.5) + parity);
     const float reach = 0.5f * static_cast<float>(is_vertical ? view.height : view.width);
-    BoxInstance line;
-    line.x = is_vertical ? center : 0.0f;
-    line.y = is_vertical ? 0.0f : center;
-    line.half_x = is_vertical ? 0.5f : reach;
-    line.half_y = is_vertical ? reach : 0.5f;
-    line.paint = flat(color);
-    layer.boxes.push_back(line);
+    for (const int corner : {0, 1, 2, 2, 1, 3}) {
+        const float across = center + (corner & 1 ? 0.5f : -0.5f), along = corner & 2 ? reach : -reach;
+        layer.mesh.push_back({is_vertical ? across : along, is_vertical ? along : across, kDepthInside, flat(color)});
+    }
 }
 
 // Beyond it the next number of a line may be its own.
