@@ -82,7 +82,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"Eigen", {"simd", "dynamics", "reference", "include"}},
     {"GL", {"render"}},
     {"stb_image.h", {"render"}},
-    {"stb_image_write.h", {"render"}},
+    {"isa-l", {"render"}},
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
     {"turbojpeg.h", {"render"}},

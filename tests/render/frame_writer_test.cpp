@@ -40,7 +40,7 @@ TEST_CASE("every submitted frame is written, for any number of threads") {
             bytes += std::filesystem::file_size(file);
             Image image;
             fill(image, 32, i);
-            CHECK(std::filesystem::file_size(file) == render::encode_png(image).bytes().size());
+            CHECK(std::filesystem::file_size(file) == to_png(image).size());
         }
         CHECK(written.bytes == bytes);
         CHECK(written.encode_seconds > 0.0);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,19 @@ Image test_image(int width, int height) {
     return image;
 }
 
+// Pixels that do not compress, in rows of which every third repeats the one above.
+Image noise_image(int width, int height) {
+    Image image{width, height, {}};
+    std::mt19937 generator(7);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < 4 * width; ++column) {
+            const std::size_t above = image.rgba.size() - 4 * static_cast<std::size_t>(width);
+            const auto value = static_cast<std::uint8_t>(generator());
+            image.rgba.push_back(column % 4 == 3 ? 255 : row % 3 == 2 ? image.rgba[above] : value);
+        }
+    return image;
+}
+
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -57,15 +71,16 @@ std::string message_of_failed_write(const Image& image, const std::filesystem::p
 
 TEST_CASE("a PNG file decodes to the image") {
     const TemporaryFolder folder;
-    for (const auto& [width, height] : {std::pair{1, 1}, std::pair{33, 7}, std::pair{320, 180}}) {
-        const Image image = test_image(width, height);
+    const Image images[] = {test_image(1, 1), test_image(33, 7), test_image(320, 180), noise_image(1, 3),
+                            noise_image(640, 359)};
+    for (const Image& image : images) {
         write_png(image, folder.path / "frame.png");
         int read_width = 0, read_height = 0, channels = 0;
         const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
             stbi_load((folder.path / "frame.png").c_str(), &read_width, &read_height, &channels, 4), &stbi_image_free);
         REQUIRE(pixels);
-        CHECK(read_width == width);
-        CHECK(read_height == height);
+        CHECK(read_width == image.width);
+        CHECK(read_height == image.height);
         CHECK(channels == 3);
         CHECK(std::equal(image.rgba.begin(), image.rgba.end(), pixels.get()));
     }
