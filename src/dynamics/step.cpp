@@ -189,13 +189,13 @@ void run_substep(Simulation& simulation) {
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
     JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
     if (system) system->warm_start(bodies);
-    simulation.joints.warm_start(bodies);
+    simulation.joints.warm_start(bodies, crew);
     contacts.warm_start(bodies, crew);
-    simulation.joints.solve(context, true, bodies);
+    simulation.joints.solve(context, true, bodies, crew);
     contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
     if (system) system->solve_chord(simulation.joints, bodies);
     integrate_positions(simulation.bodies, context.h, speed_limits(simulation), crew);
-    simulation.joints.solve(context, false, bodies);
+    simulation.joints.solve(context, false, bodies, crew);
     contacts.relax(bodies, context.inv_h, friction_bound(simulation), crew);
     if (system) system->project_velocities(simulation.joints, bodies);
 }

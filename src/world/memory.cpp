@@ -60,7 +60,7 @@ std::size_t bytes_of(const BroadPhase& broad) {
 std::size_t bytes_of(const JointStore& joints) {
     MemoryCounter counter;
     visit_value(counter, joints);
-    return counter.bytes() + joints.group_bytes();
+    return counter.bytes() + joints.derived_bytes();
 }
 
 // Members of the scratch memory are vectors of plain values, or count themselves.

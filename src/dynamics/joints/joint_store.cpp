@@ -179,6 +179,13 @@ void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
     has_groups_ = true;
 }
 
+void JointStore::find_blocks(const BodyStore& bodies) {
+    for_each_list(*this, [&](auto& list) {
+        list.blocks.find(list.awake.size(), bodies.frames.size(),
+                         [&](std::size_t i) { return this->bodies(ids.at(list.awake[i].joint)); });
+    });
+}
+
 void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew) {
     constexpr std::size_t kLeastJoints = 96;  // in a chunk: about 3 us of work
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
@@ -187,7 +194,10 @@ void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew
         TUMBLE_CHECK(std::is_sorted(list.awake.begin(), list.awake.end()));
         TUMBLE_CHECK(list.awake.size() + list.free.size() <= list.joints.size());
     });
-    if (!has_groups_) find_groups(bodies, solver);
+    if (!has_groups_) {
+        find_blocks(bodies);
+        find_groups(bodies, solver);
+    }
     for_each_list(*this, [&](auto& list) {
         crew.for_each(list.awake.size(), kLeastJoints, [&](std::size_t i) {
             auto& joint = list.joints[list.awake[i].slot];
@@ -198,24 +208,39 @@ void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew
     });
 }
 
-void JointStore::warm_start(std::span<SolverBody> bodies) const {
-    TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
-    for_each_awake(*this, [&](const auto& joint) { joint.warm_start(bodies); });
+// Calls visit(joint, index) for each awake joint of a list, in blocks if there are many. Inlined: a call for each list
+// in each pass takes 3 % of the step of a double pendulum.
+template <class List, class Visitor>
+[[gnu::always_inline]] inline void JointStore::for_each_in_blocks(List& list, Crew& crew, Visitor&& visit) {
+    if (list.awake.empty()) return;
+    const auto visit_range = [&](std::size_t first, std::size_t end) __attribute__((always_inline)) {
+        for (std::size_t i = first; i < end; ++i) visit(list.joints[list.awake[i].slot], list.awake[i].joint);
+    };
+    if (list.blocks.is_divided()) [[unlikely]]
+        list.blocks.for_each(crew, visit_range);
+    else
+        visit_range(0, list.awake.size());
 }
 
-void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+void JointStore::warm_start(std::span<SolverBody> bodies, Crew& crew) const {
+    TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
+    for_each_list(*this, [&](const auto& list) {
+        for_each_in_blocks(list, crew, [&](const auto& joint, std::uint32_t) { joint.warm_start(bodies); });
+    });
+}
+
+void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies, Crew& crew) {
     TUMBLE_CHECK(context.h > 0.0f);
     TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
     JointContext without_equalities = context;
     without_equalities.iterates_equalities = false;
     const bool has_any_direct = has_direct();
     for_each_list(*this, [&](auto& list) {
-        for (const AwakeJoint& awake : list.awake) {
-            auto& joint = list.joints[awake.slot];
+        for_each_in_blocks(list, crew, [&](auto& joint, std::uint32_t index) {
             if (!use_bias) joint.update_rows(bodies);
-            const bool is_direct = has_any_direct && groups_.is_direct(awake.joint);
+            const bool is_direct = has_any_direct && groups_.is_direct(index);
             joint.solve(is_direct ? without_equalities : context, use_bias, bodies);
-        }
+        });
     });
 }
 

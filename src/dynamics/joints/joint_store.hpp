@@ -17,6 +17,7 @@
 #include "dynamics/joints/filter_joint.hpp"
 #include "dynamics/joints/gear_joint.hpp"
 #include "dynamics/joints/joined_bodies.hpp"
+#include "dynamics/joints/joint_blocks.hpp"
 #include "dynamics/joints/joint_groups.hpp"
 #include "dynamics/joints/motor_joint.hpp"
 #include "dynamics/joints/mouse_joint.hpp"
@@ -77,10 +78,10 @@ public:
     void forget_groups() { has_groups_ = false; }
 
     bool has_direct() const { return groups_.has_direct(); }
-    void warm_start(std::span<SolverBody> bodies) const;
+    void warm_start(std::span<SolverBody> bodies, Crew& crew) const;
     // Solves each joint once. The relaxing pass, without bias, updates the rows first: the bodies have moved since the
     // pass with bias. In a loop of its own, the update would read all joints once more.
-    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies, Crew& crew);
 
     // Calls visit(EqualityRow) for each equality constraint that the direct solver takes, at the given deltas of the
     // bodies.
@@ -116,7 +117,12 @@ public:
         return count;
     }
 
-    std::size_t group_bytes() const { return groups_.bytes(); }
+    // Of what is derived from the joints.
+    std::size_t derived_bytes() const {
+        std::size_t bytes = groups_.bytes();
+        for_each_list(*this, [&](const auto& list) { bytes += list.blocks.bytes(); });
+        return bytes;
+    }
 
     // An invariant: each joint has its load.
     bool has_all_loads() const { return loads_.size() == records_.size(); }
@@ -151,6 +157,7 @@ private:
         std::vector<Joint> joints;        // by slot
         std::vector<std::uint32_t> free;  // slots without a joint
         std::vector<AwakeJoint> awake;    // sorted by prepare()
+        JointBlocks blocks;               // of these; derived, like the groups
     };
     template <class Joint>
     static constexpr bool has_rows(const JointList<Joint>&) {
@@ -166,12 +173,8 @@ private:
     static void for_each_list(Self& self, Visitor&& visit) {
         std::apply([&](auto&... list) { (visit(list), ...); }, self.lists_);
     }
-    template <class Self, class Visitor>
-    static void for_each_awake(Self& self, Visitor&& visit) {
-        for_each_list(self, [&](auto& list) {
-            for (const AwakeJoint& awake : list.awake) visit(list.joints[awake.slot]);
-        });
-    }
+    template <class List, class Visitor>
+    static void for_each_in_blocks(List& list, Crew& crew, Visitor&& visit);
     // The joint of a definition, of the type of its kind.
     template <class Def>
     auto make(const Def& def) const;
@@ -180,6 +183,7 @@ private:
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
     void find_groups(const BodyStore& bodies, JointSolver solver);
+    void find_blocks(const BodyStore& bodies);
 
     std::vector<JointRecord> records_;  // by joint index
     std::vector<JointLoad> loads_;      // by joint index
