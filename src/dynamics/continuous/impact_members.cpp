@@ -197,9 +197,12 @@ bool ImpactMembers::may_add(ProxyPair shapes) const {
 // arm makes smooth discs spin. Others keep the one from which the solver made their motion: with new ones, 3 of 160
 // card houses fall.
 void ImpactMembers::add_contact(const Contact& contact, double least) {
-    if (contact.restitution == 0.0f || !is_out_of_date(contact))
+    if (contact.restitution == 0.0f) return add_from_start(contact, least);
+    const Sweep a = motion_until(simulation_, contact.body_a, impact_.time);
+    const Sweep b = motion_until(simulation_, contact.body_b, impact_.time);
+    if (!is_out_of_date(contact, a, b))
         add_from_start(contact, least);
-    else if (may_touch_now(contact))
+    else if (may_touch_now(contact, a, b))
         add_if_approached(contact.shapes, least);
 }
 
@@ -277,23 +280,19 @@ bool ImpactMembers::may_be_approached(const Contact& contact, double threshold) 
 }
 
 // True if the cores of the shapes have moved against each other by more than the speculative distance since the step
-// began.
-bool ImpactMembers::is_out_of_date(const Contact& contact) const {
+// began, by the motions of their bodies until the impact.
+bool ImpactMembers::is_out_of_date(const Contact& contact, const Sweep& a, const Sweep& b) const {
     const auto arc = [&](const Sweep& motion, std::uint32_t shape, float radius) {
         return std::abs(motion.turn) *
                static_cast<double>(farthest_distance(simulation_.shapes[shape].shape, motion.local_center) - radius);
     };
-    const Sweep a = motion_until(simulation_, contact.body_a, impact_.time);
-    const Sweep b = motion_until(simulation_, contact.body_b, impact_.time);
     const double moved = length((b.end - b.start) - (a.end - a.start)) + arc(a, contact.shapes.a, contact.radius_a) +
                          arc(b, contact.shapes.b, contact.radius_b);
     return moved > static_cast<double>(contact.speculative_distance);
 }
 
 // A quick test, which adds no members: the discs around the two shapes overlap, or nearly.
-bool ImpactMembers::may_touch_now(const Contact& contact) const {
-    const Sweep a = motion_until(simulation_, contact.body_a, impact_.time);
-    const Sweep b = motion_until(simulation_, contact.body_b, impact_.time);
+bool ImpactMembers::may_touch_now(const Contact& contact, const Sweep& a, const Sweep& b) const {
     const float reach = farthest_distance(simulation_.shapes[contact.shapes.a].shape, a.local_center) +
                         farthest_distance(simulation_.shapes[contact.shapes.b].shape, b.local_center);
     return length(b.end - a.end) <= static_cast<double>(reach + contact.speculative_distance);

@@ -59,8 +59,8 @@ private:
     bool is_with_immovable(std::uint32_t a, std::uint32_t b) const;
     bool is_approached(const ImpactPoint& point, double least, bool is_bound) const;
     bool may_be_approached(const Contact& contact, double threshold) const;
-    bool is_out_of_date(const Contact& contact) const;
-    bool may_touch_now(const Contact& contact) const;
+    bool is_out_of_date(const Contact& contact, const Sweep& a, const Sweep& b) const;
+    bool may_touch_now(const Contact& contact, const Sweep& a, const Sweep& b) const;
     double largest_gap(const Contact& contact, const ImpactPoint& point) const;
 
     Simulation& simulation_;
