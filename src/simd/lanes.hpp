@@ -37,6 +37,15 @@ TUMBLE_LANE_FUNCTION Lanes select_less(const Lanes& a, const Lanes& b, const Lan
     return result;
 }
 
+// True if a < b in any lane.
+TUMBLE_LANE_FUNCTION bool any_less(const Lanes& a, const Lanes& b) {
+    using namespace Eigen::internal;
+    bool result = false;
+    for (int i = 0; i < kLaneCount; i += simd::kPacketSize)
+        result |= predux_any(pcmp_lt(ploadu<simd::Packet>(a.data() + i), ploadu<simd::Packet>(b.data() + i)));
+    return result;
+}
+
 // For each lane the larger number. Of equal numbers (0 and -0 are), and if one is NaN, it is a. An x86 processor has
 // one instruction that does this; that of aarch64 takes 0 for larger than -0.
 TUMBLE_LANE_FUNCTION Lanes larger(const Lanes& a, const Lanes& b) {

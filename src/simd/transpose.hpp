@@ -1,24 +1,59 @@
 // Transposes eight records in memory into lanes, one array of lanes for each field, and back.
 //
-// This is one 8 x 8 transposition with registers of 8 floats, and 4 x 4 tiles with registers of 4. Values are only
-// moved, so that any bits (flags, NaN) stay as they are.
+// The records are read and written as quarters of four floats. A register has one quarter, or with AVX those of two
+// records: its halves are transposed at the same time, so that no floats cross between them. Values are only moved, so
+// that any bits (flags, NaN) stay as they are.
 #pragma once
 
 #include "simd/lanes.hpp"
 
 namespace tumble {
 
+namespace simd {
+
+// A register with four floats of rows[0], and of rows[4] if they fit.
+TUMBLE_LANE_FUNCTION Packet load_quarters(const float* const* rows, int first_float) {
+#if defined(__AVX__)
+    return _mm256_loadu2_m128(rows[4] + first_float, rows[0] + first_float);
+#else
+    return Eigen::internal::ploadu<Packet>(rows[0] + first_float);
+#endif
+}
+
+TUMBLE_LANE_FUNCTION void store_quarters(const Packet& quarters, float* const* rows) {
+#if defined(__AVX__)
+    _mm256_storeu2_m128(rows[4], rows[0], quarters);
+#else
+    Eigen::internal::pstoreu(rows[0], quarters);
+#endif
+}
+
+// Transposes each 4 x 4 tile of four registers in place.
+TUMBLE_LANE_FUNCTION void transpose_tiles(Eigen::internal::PacketBlock<Packet, 4>& tiles) {
+#if defined(__AVX__)
+    Packet(&row)[4] = tiles.packet;
+    const Packet low01 = _mm256_unpacklo_ps(row[0], row[1]), high01 = _mm256_unpackhi_ps(row[0], row[1]);
+    const Packet low23 = _mm256_unpacklo_ps(row[2], row[3]), high23 = _mm256_unpackhi_ps(row[2], row[3]);
+    row[0] = _mm256_shuffle_ps(low01, low23, 0x44);
+    row[1] = _mm256_shuffle_ps(low01, low23, 0xee);
+    row[2] = _mm256_shuffle_ps(high01, high23, 0x44);
+    row[3] = _mm256_shuffle_ps(high01, high23, 0xee);
+#else
+    Eigen::internal::ptranspose(tiles);
+#endif
+}
+
+}  // namespace simd
+
 // Reads 8 consecutive floats at each of rows[kLaneCount]: lane r of fields[f] is float f of row r. Fields that the
 // caller does not use cost nothing after inlining.
 TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
-    using namespace Eigen::internal;
-    constexpr int kTile = simd::kPacketSize;
-    for (int row = 0; row < kLaneCount; row += kTile) {
-        for (int field = 0; field < 8; field += kTile) {
-            PacketBlock<simd::Packet, kTile> tile;
-            for (int i = 0; i < kTile; ++i) tile.packet[i] = ploadu<simd::Packet>(rows[row + i] + field);
-            ptranspose(tile);
-            for (int i = 0; i < kTile; ++i) pstoreu(fields[field + i].data() + row, tile.packet[i]);
+    for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
+        for (int field = 0; field < 8; field += 4) {
+            Eigen::internal::PacketBlock<simd::Packet, 4> tiles;
+            for (int i = 0; i < 4; ++i) tiles.packet[i] = simd::load_quarters(rows + lane + i, field);
+            simd::transpose_tiles(tiles);
+            for (int i = 0; i < 4; ++i) Eigen::internal::pstoreu(fields[field + i].data() + lane, tiles.packet[i]);
         }
     }
 }
@@ -26,16 +61,12 @@ TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes
 // Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Two rows may be the same
 // memory if they get equal values.
 TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
-    using namespace Eigen::internal;
-    alignas(32) float table[kLaneCount][4];
-    PacketBlock<simd::Packet, 4> tile;
     for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
-        for (int i = 0; i < 4; ++i) tile.packet[i] = ploadu<simd::Packet>(fields[i].data() + lane);
-        ptranspose(tile);  // for 8 floats a packet: two rows of four in each packet
-        float* target = table[lane];
-        for (int i = 0; i < 4; ++i, target += simd::kPacketSize) pstoreu(target, tile.packet[i]);
+        Eigen::internal::PacketBlock<simd::Packet, 4> tiles;
+        for (int i = 0; i < 4; ++i) tiles.packet[i] = Eigen::internal::ploadu<simd::Packet>(fields[i].data() + lane);
+        simd::transpose_tiles(tiles);
+        for (int i = 0; i < 4; ++i) simd::store_quarters(tiles.packet[i], rows + lane + i);
     }
-    for (int row = 0; row < kLaneCount; ++row) pstoreu(rows[row], ploadu<Packet4f>(table[row]));
 }
 
 }  // namespace tumble

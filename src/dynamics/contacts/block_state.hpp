@@ -18,11 +18,11 @@ struct BodyLanes {
     Lanes delta_x, delta_y, delta_c, delta_s;
 };
 
-TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const BodyRow body[kLaneCount]) {
     const float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        TUMBLE_CHECK(index[lane] < bodies.size());
-        rows[lane] = &bodies[index[lane]].velocity.x;
+        TUMBLE_CHECK(body[lane].index() < bodies.size());
+        rows[lane] = reinterpret_cast<const float*>(bodies.data()) + body[lane].position;
     }
     Lanes f[8];
     gather_rows(rows, f);
@@ -31,25 +31,25 @@ TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const 
 
 // scatter_velocities() for a block that can move some of the bodies only, which is rare.
 [[gnu::noinline]] inline void scatter_some(const Lanes fields[4], std::span<SolverBody> bodies,
-                                           const std::uint32_t index[kLaneCount], std::uint8_t moved) {
+                                           const BodyRow body[kLaneCount], std::uint8_t moved) {
     alignas(16) float unmoved[4];
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane)
-        rows[lane] = moved >> lane & 1 ? &bodies[index[lane]].velocity.x : unmoved;
+        rows[lane] = moved >> lane & 1 ? &bodies[body[lane].index()].velocity.x : unmoved;
     scatter_rows(fields, rows);
 }
 
 // Writes the velocities of the bodies that the block can move. The others may be in several blocks of a colour, which
 // threads solve at the same time.
-TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
-                                             const std::uint32_t index[kLaneCount], std::uint8_t moved) {
+TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& lanes, std::span<SolverBody> bodies,
+                                             const BodyRow body[kLaneCount], std::uint8_t moved) {
     if (moved == 0) return;
-    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
-    if (moved != kAllLanes) return scatter_some(fields, bodies, index, moved);
+    const Lanes fields[4] = {lanes.velocity_x, lanes.velocity_y, lanes.angular_velocity, lanes.flags};
+    if (moved != kAllLanes) return scatter_some(fields, bodies, body, moved);
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        TUMBLE_CHECK(index[lane] < bodies.size());
-        rows[lane] = &bodies[index[lane]].velocity.x;
+        TUMBLE_CHECK(body[lane].index() < bodies.size());
+        rows[lane] = reinterpret_cast<float*>(bodies.data()) + body[lane].position;
     }
     scatter_rows(fields, rows);
 }

@@ -1,37 +1,48 @@
-// From contacts to blocks and back: fills the lanes one by one, and reads the impulses from them.
+// From contacts to blocks and back: transposes eight contacts and their bodies into lanes, and reads the impulses from
+// them one by one.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/contacts/contact_block.hpp"
+#include "simd/transpose.hpp"
 
 namespace tumble {
 
 namespace {
 
-// A block of neutral lanes.
-ContactBlock make_neutral_block() {
-    ContactBlock block;
-    const Lanes zero = Lanes::Zero();
-    std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
-    std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
-    block.moved_a = block.moved_b = 0;
-    for (Lanes* lanes : {&block.normal_x, &block.normal_y, &block.inv_mass_a, &block.inv_mass_b, &block.inv_inertia_a,
-                         &block.inv_inertia_b, &block.coupling, &block.friction})
-        *lanes = zero;
-    for (ContactBlockPoint& point : block.points) {
-        for (Lanes* lanes :
-             {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse,
-              &point.tangent_mass, &point.tangent_impulse, &point.applied_normal, &point.applied_tangent})
-            *lanes = zero;
-        point.separation = Lanes::Constant(kAbsentGap);
-        point.inverse_mass = Lanes::Ones();
+// What the lanes of a block refer to. Unused lanes have a contact without points, between bodies that never move.
+struct LaneSources {
+    const Contact* contact[kLaneCount];
+    const BodyFrame* a[kLaneCount];
+    const BodyFrame* b[kLaneCount];
+};
+
+LaneSources find_sources(std::span<const std::uint32_t, kLaneCount> lanes, std::span<const Contact> contacts,
+                         const BodyStore& bodies) {
+    static const Contact unused;
+    static const BodyFrame immovable;
+    LaneSources sources;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
+        const bool is_used = index != ConstraintGraph::kNoContact;
+        TUMBLE_CHECK((!is_used || index < contacts.size()));
+        sources.contact[lane] = is_used ? &contacts[index] : &unused;
+        sources.a[lane] = is_used ? &bodies.frames[contacts[index].body_a] : &immovable;
+        sources.b[lane] = is_used ? &bodies.frames[contacts[index].body_b] : &immovable;
     }
-    block.has_locks = block.has_radius = block.has_restitution = block.has_tangent_speed =
-        block.has_rolling_resistance = false;
-    block.extras = nullptr;
-    return block;
+    return sources;
+}
+
+// Eight floats of each record, from the member at `offset` (bytes) on, as lanes.
+template <class Record>
+TUMBLE_LANE_FUNCTION void gather_members(const Record* const records[kLaneCount], std::size_t offset, Lanes fields[8]) {
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        rows[lane] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(records[lane]) + offset);
+    gather_rows(rows, fields);
 }
 
 // A bit for the lane if a contact can move the body.
@@ -41,41 +52,90 @@ std::uint8_t moved_bit(int lane, const BodyFrame& body) {
     return static_cast<std::uint8_t>(static_cast<unsigned>(moves) << lane);
 }
 
-void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
-    TUMBLE_CHECK(lane < kLaneCount);
-    TUMBLE_CHECK(contact.kind == ContactKind::solid);
-    TUMBLE_CHECK(contact.manifold.point_count > 0);
-    TUMBLE_CHECK(contact.manifold.point_count <= 2);
-    block.body_a[lane] = a.solver_body;
-    block.body_b[lane] = b.solver_body;
-    block.moved_a |= moved_bit(lane, a);
-    block.moved_b |= moved_bit(lane, b);
-    const Vec2 normal = contact.manifold.normal;
-    TUMBLE_CHECK(!(std::abs(length_sq(normal) - 1.0f) > 1e-3f));  // unit, or not finite in a world that diverges
-    block.normal_x[lane] = normal.x;
-    block.normal_y[lane] = normal.y;
-    block.inv_mass_a[lane] = a.inv_mass;
-    block.inv_mass_b[lane] = b.inv_mass;
-    block.inv_inertia_a[lane] = a.inv_inertia;
-    block.inv_inertia_b[lane] = b.inv_inertia;
-    block.friction[lane] = contact.friction;
-    block.has_locks |= a.locks_x || a.locks_y || b.locks_x || b.locks_y;
-    block.has_radius |= contact.radius_a > 0.0f || contact.radius_b > 0.0f;
-    block.has_restitution |= contact.restitution > 0.0f;
-    block.has_tangent_speed |= contact.tangent_speed != 0.0f;
-    block.has_rolling_resistance |= contact.rolling_resistance > 0.0f;
-    for (int i = 0; i < contact.manifold.point_count; ++i) {
-        const ManifoldPoint& from = contact.manifold.points[i];
-        const Vec2 arm_a = from.anchor_a - a.center_offset;
-        const Vec2 arm_b = from.anchor_b - b.center_offset;
+void fill_bodies(ContactBlock& block, const LaneSources& sources) {
+    block.moved_a = block.moved_b = 0;
+    block.has_locks = false;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const BodyFrame& a = *sources.a[lane];
+        const BodyFrame& b = *sources.b[lane];
+        block.body_a[lane] = BodyRow::of(a.solver_body);
+        block.body_b[lane] = BodyRow::of(b.solver_body);
+        block.moved_a |= moved_bit(lane, a);
+        block.moved_b |= moved_bit(lane, b);
+        block.has_locks |= a.locks_x || a.locks_y || b.locks_x || b.locks_y;
+    }
+}
+
+// The centres of mass of the bodies from their origins, world axes, m.
+struct CenterOffsets {
+    Lanes ax, ay, bx, by;
+};
+
+TUMBLE_LANE_FUNCTION CenterOffsets fill_masses(ContactBlock& block, const LaneSources& sources) {
+    static_assert(offsetof(BodyFrame, center_offset) == 40);
+    static_assert(offsetof(BodyFrame, inv_mass) == 48 && offsetof(BodyFrame, inv_inertia) == 52);
+    Lanes a[8], b[8];
+    gather_members(sources.a, 32, a);
+    gather_members(sources.b, 32, b);
+    block.inv_mass_a = a[4];
+    block.inv_mass_b = b[4];
+    block.inv_inertia_a = a[5];
+    block.inv_inertia_b = b[5];
+    return {a[2], a[3], b[2], b[3]};
+}
+
+TUMBLE_LANE_FUNCTION void fill_materials(ContactBlock& block, const LaneSources& sources) {
+    constexpr std::size_t kFirst = offsetof(Contact, speculative_distance);
+    static_assert(offsetof(Contact, radius_a) == kFirst + 4 && offsetof(Contact, tangent_speed) == kFirst + 24);
+    Lanes material[8];
+    gather_members(sources.contact, kFirst, material);
+    const Lanes zero = Lanes::Zero();
+    block.friction = material[3];
+    block.has_radius = any_less(zero, material[1]) || any_less(zero, material[2]);
+    block.has_restitution = any_less(zero, material[4]);
+    block.has_rolling_resistance = any_less(zero, material[5]);
+    block.has_tangent_speed = any_less(zero, material[6].abs());
+    if (block.has_radius) {
+        block.extras->radius_a = material[1];
+        block.extras->radius_b = material[2];
+    }
+    if (block.has_restitution) {
+        block.extras->restitution = material[4];
+        block.extras->absorbed = block.extras->friction_work = zero;
+    }
+    if (block.has_rolling_resistance) block.extras->rolling_resistance = material[5];
+    if (block.has_tangent_speed) block.extras->tangent_speed = material[6];
+}
+
+TUMBLE_LANE_FUNCTION void fill_points(ContactBlock& block, const LaneSources& sources, const CenterOffsets& centers) {
+    static_assert(offsetof(Manifold, points) == 12 && offsetof(ManifoldPoint, separation) == 16);
+    constexpr std::size_t kSecond = offsetof(Contact, manifold) + offsetof(Manifold, points) + sizeof(ManifoldPoint);
+    Lanes normal_and_first[8], second[8], impulses[8];
+    gather_members(sources.contact, offsetof(Contact, manifold), normal_and_first);
+    gather_members(sources.contact, kSecond, second);
+    gather_members(sources.contact, offsetof(Contact, impulses), impulses);
+    block.normal_x = normal_and_first[0];
+    block.normal_y = normal_and_first[1];
+    const Lanes zero = Lanes::Zero();
+    for (int i = 0; i < 2; ++i) {
+        const Lanes* const point = i == 0 ? normal_and_first + 3 : second;
+        const Lanes arm_ax = point[0] - centers.ax, arm_ay = point[1] - centers.ay;
+        const Lanes arm_bx = point[2] - centers.bx, arm_by = point[3] - centers.by;
+        Lanes is_present;
+        for (int lane = 0; lane < kLaneCount; ++lane)
+            is_present[lane] = sources.contact[lane]->manifold.point_count > i ? 1.0f : 0.0f;
+        const auto present = [&](const Lanes& value, float otherwise) {
+            return select_less(zero, is_present, value, Lanes::Constant(otherwise));
+        };
         ContactBlockPoint& to = block.points[i];
-        to.along_a[lane] = dot(arm_a, normal);
-        to.across_a[lane] = cross(arm_a, normal);
-        to.along_b[lane] = dot(arm_b, normal);
-        to.across_b[lane] = cross(arm_b, normal);
-        to.separation[lane] = from.separation;
-        to.normal_impulse[lane] = contact.impulses[i].normal;
-        to.tangent_impulse[lane] = contact.impulses[i].tangent;
+        to.along_a = present(arm_ax * block.normal_x + arm_ay * block.normal_y, 0.0f);
+        to.across_a = present(arm_ax * block.normal_y - arm_ay * block.normal_x, 0.0f);
+        to.along_b = present(arm_bx * block.normal_x + arm_by * block.normal_y, 0.0f);
+        to.across_b = present(arm_bx * block.normal_y - arm_by * block.normal_x, 0.0f);
+        to.separation = present(point[4], kAbsentGap);
+        to.normal_impulse = present(impulses[2 * i], 0.0f);
+        to.tangent_impulse = present(impulses[2 * i + 1], 0.0f);
+        to.applied_normal = to.applied_tangent = zero;
     }
 }
 
@@ -125,7 +185,7 @@ TUMBLE_LANE_FUNCTION void set_masses(ContactBlock& block) {
 // The normal velocities with which points reach separation 0, from those before the step (RESTITUTION.md, step 2).
 void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        const std::uint32_t body_a = block.body_a[lane], body_b = block.body_b[lane];
+        const std::uint32_t body_a = block.body_a[lane].index(), body_b = block.body_b[lane].index();
         const SolverBody& a = bodies.solver_bodies[body_a];
         const SolverBody& b = bodies.solver_bodies[body_b];
         const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
@@ -146,12 +206,8 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
 
 // The contacts of a block are far apart in memory, at addresses that the hardware does not predict.
 void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> block) {
-    constexpr std::size_t kCacheLine = 64;
-    for (const std::uint32_t index : block) {
-        if (index == ConstraintGraph::kNoContact) continue;
-        const char* const contact = reinterpret_cast<const char*>(&contacts[index]);
-        for (std::size_t line = 0; line < 3; ++line) __builtin_prefetch(contact + line * kCacheLine);
-    }
+    for (const std::uint32_t index : block)
+        if (index != ConstraintGraph::kNoContact) prefetch(contacts[index], 3);
 }
 
 constexpr std::size_t kLeastPrepared = 16;  // in a chunk: about 3 us of work
@@ -160,15 +216,6 @@ constexpr std::size_t kLeastPrepared = 16;  // in a chunk: about 3 us of work
 struct ContactSoftness {
     Softness moving, immovable;
 };
-
-// A member of each contact; 0 in unused lanes.
-void fill_from(Lanes& to, std::span<const std::uint32_t, kLaneCount> lanes, std::span<const Contact> contacts,
-               float Contact::*member) {
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-        const std::uint32_t contact = lanes[static_cast<std::size_t>(lane)];
-        to[lane] = contact == ConstraintGraph::kNoContact ? 0.0f : contacts[contact].*member;
-    }
-}
 
 void fill_locked_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFrame& b) {
     const Vec2 masses_a = a.inv_masses(), masses_b = b.inv_masses(), both = masses_a + masses_b;
@@ -184,47 +231,20 @@ void fill_locked_masses(ContactBlock& block, int lane, const BodyFrame& a, const
     locked.least_response[lane] = has_lock ? kDeadPoint * (a.inv_mass + b.inv_mass) : 0.0f;
 }
 
-// What the flags of a block say that it has.
-void fill_rest(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes, std::span<const Contact> contacts,
-               const BodyStore& bodies) {
-    if (block.has_locks) {
-        static const BodyFrame immovable;
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
-            const bool is_used = index != ConstraintGraph::kNoContact;
-            fill_locked_masses(block, lane, is_used ? bodies.frames[contacts[index].body_a] : immovable,
-                               is_used ? bodies.frames[contacts[index].body_b] : immovable);
-        }
-    }
-    if (block.has_radius) {
-        fill_from(block.extras->radius_a, lanes, contacts, &Contact::radius_a);
-        fill_from(block.extras->radius_b, lanes, contacts, &Contact::radius_b);
-    }
-    if (block.has_restitution) {
-        fill_from(block.extras->restitution, lanes, contacts, &Contact::restitution);
-        block.extras->absorbed = block.extras->friction_work = Lanes::Zero();
-    }
-    if (block.has_tangent_speed) fill_from(block.extras->tangent_speed, lanes, contacts, &Contact::tangent_speed);
-    if (block.has_rolling_resistance) {
-        fill_from(block.extras->rolling_resistance, lanes, contacts, &Contact::rolling_resistance);
-        fill_from(block.extras->rolling_impulse, lanes, contacts, &Contact::rolling_impulse);
-    }
-}
-
-void fill_block(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes,
-                std::span<const Contact> contacts, const BodyStore& bodies, const ContactSoftness& softness) {
-    bool is_static = false;  // the same for all lanes: colours separate them
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-        const std::uint32_t contact = lanes[static_cast<std::size_t>(lane)];
-        if (contact == ConstraintGraph::kNoContact) continue;
-        TUMBLE_CHECK(contact < contacts.size());
-        const BodyFrame& a = bodies.frames[contacts[contact].body_a];
-        const BodyFrame& b = bodies.frames[contacts[contact].body_b];
-        fill_lane(block, lane, contacts[contact], a, b);
-        is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
-    }
+TUMBLE_LANE_KERNEL void fill_block(ContactBlock& block, const LaneSources& sources, const ContactSoftness& softness) {
+    fill_bodies(block, sources);
+    const CenterOffsets centers = fill_masses(block, sources);
+    fill_materials(block, sources);
+    fill_points(block, sources, centers);
+    if (block.has_locks)
+        for (int lane = 0; lane < kLaneCount; ++lane)
+            fill_locked_masses(block, lane, *sources.a[lane], *sources.b[lane]);
+    if (block.has_rolling_resistance)
+        for (int lane = 0; lane < kLaneCount; ++lane)
+            block.extras->rolling_impulse[lane] = sources.contact[lane]->rolling_impulse;
+    // Lane 0 is always used, and all lanes are alike: colours separate them.
+    const bool is_static = block.inv_mass_a[0] == 0.0f || block.inv_mass_b[0] == 0.0f;
     block.softness = is_static ? softness.immovable : softness.moving;
-    fill_rest(block, lanes, contacts, bodies);
     set_masses(block);
 }
 
@@ -250,7 +270,7 @@ void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLane
             has_acted |= point.applied_normal[lane] > 0.0f || point.applied_tangent[lane] != 0.0f ||
                          contact.manifold.points[i].separation < 0.0f;
         }
-        if (has_acted) mark_pushed(bodies[block.body_a[lane]]), mark_pushed(bodies[block.body_b[lane]]);
+        if (has_acted) mark_pushed(bodies[block.body_a[lane].index()]), mark_pushed(bodies[block.body_b[lane].index()]);
         if (block.has_rolling_resistance) contact.rolling_impulse = block.extras->rolling_impulse[lane];
     }
 }
@@ -265,13 +285,11 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
     extras.resize(graph.block_count());
     if (blocks.empty()) return;
     const ContactSoftness softness{contact_softness(tuning, h), static_contact_softness(tuning, h)};
-    const ContactBlock neutral = make_neutral_block();
     crew.for_each(blocks.size(), kLeastPrepared, [&](std::size_t index) {
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         ContactBlock& block = blocks[index];
-        block = neutral;
         block.extras = &extras[index];
-        fill_block(block, graph.block(index), contacts, bodies, softness);
+        fill_block(block, find_sources(graph.block(index), contacts, bodies), softness);
         if (block.has_restitution) set_approaches(block, bodies, gravity, h);
     });
 }

@@ -76,7 +76,7 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
 Lanes sum_of_both(const ContactBlock& block, std::span<const float> returned_work) {
     Lanes sum;
     for (int lane = 0; lane < kLaneCount; ++lane)
-        sum[lane] = returned_work[block.body_a[lane]] + returned_work[block.body_b[lane]];
+        sum[lane] = returned_work[block.body_a[lane].index()] + returned_work[block.body_b[lane].index()];
     return sum;
 }
 
@@ -88,11 +88,11 @@ void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> r
     for (const ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         for (int lane = 0; lane < kLaneCount; ++lane) {
-            TUMBLE_CHECK(block.body_a[lane] < returned_work.size());
-            TUMBLE_CHECK(block.body_b[lane] < returned_work.size());
+            TUMBLE_CHECK(block.body_a[lane].index() < returned_work.size());
+            TUMBLE_CHECK(block.body_b[lane].index() < returned_work.size());
             const float work = std::max(-block.extras->absorbed[lane], 0.0f);
-            if (block.moved_a >> lane & 1) returned_work[block.body_a[lane]] += work;
-            if (block.moved_b >> lane & 1) returned_work[block.body_b[lane]] += work;
+            if (block.moved_a >> lane & 1) returned_work[block.body_a[lane].index()] += work;
+            if (block.moved_b >> lane & 1) returned_work[block.body_b[lane].index()] += work;
         }
     }
 }

@@ -15,8 +15,8 @@ namespace {
 std::vector<std::uint32_t> moved_bodies(const ContactBlock& block) {
     std::vector<std::uint32_t> moved;
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        if (block.moved_a >> lane & 1) moved.push_back(block.body_a[lane]);
-        if (block.moved_b >> lane & 1) moved.push_back(block.body_b[lane]);
+        if (block.moved_a >> lane & 1) moved.push_back(block.body_a[lane].index());
+        if (block.moved_b >> lane & 1) moved.push_back(block.body_b[lane].index());
     }
     std::sort(moved.begin(), moved.end());
     return moved;
