@@ -15,7 +15,8 @@ namespace tumble::scene {
 // One body.
 class BodyLookup {
 public:
-    explicit BodyLookup(std::string name = {}) : name_(std::move(name)) {}
+    // The search starts at the instance `first`: none before it has the name.
+    explicit BodyLookup(std::string name = {}, std::size_t first = 0) : name_(std::move(name)), next_(first) {}
 
     const std::string& name() const { return name_; }
 
@@ -32,7 +33,7 @@ public:
 
 private:
     std::string name_;
-    std::size_t next_ = 0;  // the instance that was found last, or the first one that was not searched
+    std::size_t next_;  // the instance that was found last, or the first one that was not searched
 };
 
 // A body, or all copies that share a name.

@@ -4,8 +4,10 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 
 #include "debug/check.hpp"
 #include "scene/expressions/evaluate.hpp"
@@ -77,6 +79,16 @@ bool is_over(const ScheduledEvent& scheduled, const World& world) {
     return scheduled.state.count > 0;
 }
 
+// The first instance of each name.
+std::unordered_map<std::string_view, std::size_t> first_instances(const SceneWorld& built) {
+    std::unordered_map<std::string_view, std::size_t> first;
+    for (std::size_t i = 0; i < built.bodies.size(); ++i) first.try_emplace(built.bodies[i].name, i);
+    return first;
+}
+
+// The energy of a body, of none if it was destroyed, J.
+double energy_of(const World& world, BodyId body) { return world.is_valid(body) ? world.energy(body).total() : 0.0; }
+
 void act_on_body(World& world, const SceneEvent& event, BodyId body) {
     const BodyState state = world.state(body);
     if (event.impulse) world.apply_impulse(body, to_float(*event.impulse), center_of(world, body));
@@ -111,13 +123,16 @@ TimelineRun::TimelineRun(const Scene& scene, SceneWorld& built)
     const BodyNames bodies(has_conditions ? scene : Scene{});
     const JointNames joints(has_conditions ? scene : Scene{});
     const KnownNames names{scene, bodies, joints};
+    const auto first = first_instances(built);
     std::map<ConditionKey, std::size_t> entries;  // of conditions_
     for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
         const SceneEvent& event = scene.timeline[i];
         ScheduledEvent& scheduled = events_.emplace_back();
         scheduled.event = event;
         scheduled.index = i;
-        scheduled.body = BodyLookup(event.despawn.empty() ? event.body : event.despawn);
+        const std::string& body = event.despawn.empty() ? event.body : event.despawn;
+        const auto instance = first.find(body);
+        scheduled.body = BodyLookup(body, instance == first.end() ? built.bodies.size() : instance->second);
         const std::string& joint = event.release.empty() ? event.joint : event.release;
         const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
         if (!joint.empty() && found != built.joints.end()) scheduled.joint = found->id;
@@ -143,15 +158,11 @@ void TimelineRun::open_events() {
 }
 
 void TimelineRun::apply_due(SceneWorld& built) {
-    std::optional<double> before;  // J
     for (const std::size_t index : open_) {
         ScheduledEvent& scheduled = events_[index];
-        if (scheduled.event.stop || !is_due(scheduled, built.world)) continue;
-        if (!before && !scheduled.lasts()) before = built.world.energy().total();
-        apply(scheduled, built);
+        if (!scheduled.event.stop && is_due(scheduled, built.world)) apply(scheduled, built);
     }
     std::erase_if(open_, [&](std::size_t index) { return is_over(events_[index], built.world); });
-    if (before) built.work += built.world.energy().total() - *before;
     for (Push& push : pushes_) {
         push.center = center_of(built.world, push.body);
         push.rotation = built.world.state(push.body).pose.rotation;
@@ -190,12 +201,18 @@ bool TimelineRun::is_stopped(const SceneWorld& built) const {
 void TimelineRun::apply(ScheduledEvent& scheduled, SceneWorld& built) {
     const SceneEvent& event = scheduled.event;
     World& world = built.world;
-    if (event.gravity) world.set_gravity(to_float(*event.gravity));
+    if (event.gravity) {
+        const double before = world.energy().total();
+        world.set_gravity(to_float(*event.gravity));
+        built.work += world.energy().total() - before;
+    }
     if (event.spawn) spawn(scheduled, built);
     if (scheduled.joint && world.is_valid(*scheduled.joint)) act_on_joint(world, event, *scheduled.joint);
     if (const SceneInstance* body = scheduled.body.find(built)) {
         const BodyId id = body->id;
+        const double before = energy_of(world, id);
         act_on_body(world, event, id);
+        built.work += energy_of(world, id) - before;
         if (scheduled.lasts())
             pushes_.push_back(
                 {.body = id, .force = event.force.value_or(DVec2{}), .torque = event.torque.value_or(0.0)});
@@ -217,6 +234,7 @@ void TimelineRun::spawn(ScheduledEvent& scheduled, SceneWorld& built) {
                                         std::to_string(kMaxBodies) + " are allowed");
         for (const PlacedBody& copy : place_copies(body, seed_ + scheduled.state.count, source)) {
             const BodyId id = create_body(built.world, *scheduled.plan, copy.pose);
+            built.work += energy_of(built.world, id);
             built.bodies.push_back({id, source, is_one ? body.name : copy_name(body.name, scheduled.state.spawned++)});
         }
     } catch (const std::invalid_argument& refusal) {
