@@ -26,12 +26,20 @@ void BroadPhase::remove(std::uint32_t key) {
     proxy.leaf = AabbTree::kNone;
 }
 
-void BroadPhase::move(std::uint32_t key, const Aabb& box) {
-    TUMBLE_CHECK(has(key));
-    Proxy& proxy = proxies_[key];
-    proxy.box = box;
-    tree(proxy.layer).move(proxy.leaf, box);
-    touch(key);
+void BroadPhase::move(const ChunkLists<MovedProxy>& moved) {
+    bool all_placed = true;
+    moved.for_each([&](const MovedProxy& proxy) {
+        TUMBLE_CHECK(has(proxy.key));
+        proxies_[proxy.key].box = proxy.box;
+        all_placed &= tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box);
+        touch(proxy.key);
+    });
+    for (AabbTree& tree : trees_) tree.refit();
+    if (all_placed) return;
+    moved.for_each([&](const MovedProxy& proxy) {
+        AabbTree& tree = this->tree(proxies_[proxy.key].layer);
+        if (tree.box(proxies_[proxy.key].leaf) != proxy.box) tree.move(proxies_[proxy.key].leaf, proxy.box);
+    });
 }
 
 void BroadPhase::touch(std::uint32_t key) {

@@ -70,6 +70,32 @@ void AabbTree::move(Node leaf, const Aabb& box) {
     attach(leaf);
 }
 
+bool AabbTree::place(Node leaf, const Aabb& box) {
+    TUMBLE_CHECK(at(leaf).is_leaf());
+    if (!overlaps(at(leaf).box, box)) return false;
+    at(leaf).box = box;
+    mark(leaf);
+    return true;
+}
+
+// Walks the marked nodes, children before parents, and removes their marks.
+void AabbTree::refit() {
+    if (!has_marks()) return;
+    for (Node node = root_; node != kNone;) {
+        NodeData& data = at(node);
+        const auto is_marked = [&](Node child) { return child != kNone && at(child).is_marked(); };
+        if (is_marked(data.child[0])) {
+            node = data.child[0];
+        } else if (is_marked(data.child[1])) {
+            node = data.child[1];
+        } else {
+            data.tag &= ~kMark;
+            if (!data.is_leaf()) refit_node(node);
+            node = data.parent;
+        }
+    }
+}
+
 void AabbTree::mark(Node leaf) {
     for (Node node = leaf; node != kNone && !at(node).is_marked(); node = at(node).parent) at(node).tag |= kMark;
 }
@@ -148,13 +174,16 @@ void AabbTree::replace_child(Node parent, Node old_child, Node new_child) {
 // Recomputes the boxes of a node and its ancestors, up to the first that does not change.
 void AabbTree::refit_upwards(Node node) {
     while (node != kNone) {
-        const Aabb box = merge(at(at(node).child[0]).box, at(at(node).child[1]).box);
-        const bool changed = box != at(node).box;
-        at(node).box = box;
-        rotate(node);
-        if (!changed) return;
+        const Aabb before = at(node).box;
+        refit_node(node);
+        if (at(node).box == before) return;
         node = at(node).parent;
     }
+}
+
+void AabbTree::refit_node(Node node) {
+    at(node).box = merge(at(at(node).child[0]).box, at(at(node).child[1]).box);
+    rotate(node);
 }
 
 // Swaps a child with the child of its sibling that shortens the sibling's perimeter the most, if any does. The node's

@@ -34,6 +34,12 @@ public:
     // node stays the same.
     void move(Node leaf, const Aabb& box);
 
+    // The same for many leaves: place() gives a leaf its box, and refit() then refits each node above these leaves
+    // once. Between the two calls nothing else may be called. place() returns false, and does nothing, if the boxes do
+    // not overlap: move() is for such a leaf.
+    bool place(Node leaf, const Aabb& box);
+    void refit();
+
     const Aabb& box(Node leaf) const { return at(leaf).box; }
     std::size_t leaf_count() const { return leaf_count_; }
 
@@ -116,6 +122,7 @@ private:
     void detach(Node leaf);
     void replace_child(Node parent, Node old_child, Node new_child);
     void refit_upwards(Node node);
+    void refit_node(Node node);
     void rotate(Node node);
     template <class MayContain, class Visitor>
     void search_subtree(Node root, MayContain& may_contain, Visitor& visit) const;

@@ -68,21 +68,15 @@ std::size_t amount_of_work(const Simulation& simulation) {
     return simulation.bodies.moving.size() + simulation.contacts.all().size() + simulation.joints.awake_count();
 }
 
-// Calls visit(shape, box) for each shape of a body that has left its box, with the new one.
-template <class Visitor>
-void for_each_left_box(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
-                       Visitor&& visit) {
+// Lists the shapes of a body that have left their boxes, with the new ones.
+void find_left_boxes(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
+                     std::vector<BroadPhase::MovedProxy>& left) {
     const Pose& pose = simulation.bodies.frames[moving.body].pose;
     for (const ShapeId shape : simulation.bodies.records[moving.body].shapes) {
         const std::optional<Aabb> box =
             simulation.shapes.new_box(shape.index, pose, ahead, simulation.settings.tuning, simulation.broad);
-        if (box) visit(shape.index, *box);
+        if (box) left.push_back({shape.index, *box});
     }
-}
-
-void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead) {
-    for_each_left_box(simulation, moving, ahead,
-                      [&](std::uint32_t shape, const Aabb& box) { simulation.broad.move(shape, box); });
 }
 
 // The parts of a step that the crew works on together, with serial ones between them that may take long.
@@ -157,13 +151,16 @@ void cover_free_motions(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     std::vector<FreeMotion>& motions = simulation.scratch->free_motions;
     motions.resize(bodies.moving.size());
-    for (std::size_t i = 1; i < motions.size(); ++i) {
+    ChunkLists<BroadPhase::MovedProxy>& left = simulation.scratch->chunks.moved_proxies;
+    left.fill(simulation.crew, motions.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
+        if (i == kStaticSolverBody) return;
         const BodyMotion& body = bodies.moving[i].motion;
         motions[i] = bodies.free_motion(static_cast<std::uint32_t>(i), settings.gravity, settings.duration);
         const float moved = length(motions[i].path) + std::abs(motions[i].turn) * body.reach;
         if (moved > settings.tuning.speculative_distance(body.smallest_extent))
-            update_boxes(simulation, bodies.moving[i], motions[i]);
-    }
+            find_left_boxes(simulation, bodies.moving[i], motions[i], list);
+    });
+    simulation.broad.move(left);
 }
 
 void prepare_constraints(Simulation& simulation) {
@@ -234,19 +231,11 @@ void collide_continuously(Simulation& simulation) {
 
 void update_proxies(Simulation& simulation) {
     const std::vector<MovingBody>& moving = simulation.bodies.moving;
-    if (simulation.crew.chunk_count(moving.size(), kLeastBoxes) == 1) {
-        for (std::size_t i = 1; i < moving.size(); ++i) update_boxes(simulation, moving[i], {});
-        return;
-    }
-    simulation.scratch->chunks.moved_boxes.fill(
-        simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, std::vector<MovedBox>& moved) {
-            if (i == kStaticSolverBody) return;
-            for_each_left_box(simulation, moving[i], {}, [&](std::uint32_t shape, const Aabb& box) {
-                moved.push_back({shape, box});
-            });
-        });
-    simulation.scratch->chunks.moved_boxes.for_each(
-        [&](const MovedBox& moved) { simulation.broad.move(moved.shape, moved.box); });
+    ChunkLists<BroadPhase::MovedProxy>& left = simulation.scratch->chunks.moved_proxies;
+    left.fill(simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
+        if (i != kStaticSolverBody) find_left_boxes(simulation, moving[i], {}, list);
+    });
+    simulation.broad.move(left);
 }
 
 }  // namespace tumble

@@ -50,12 +50,6 @@ struct FastBody {
     bool is_bullet = false;
 };
 
-// A shape that has left its box in the broad phase.
-struct MovedBox {
-    std::uint32_t shape = 0;  // index
-    Aabb box;                 // the new one, world
-};
-
 // What the narrow phase did in the last step before the constraints were solved.
 struct CollisionCounts {
     std::int64_t pairs = 0;       // of solid shapes, collided in full or recycled
@@ -92,7 +86,7 @@ struct ChunkScratch {
     std::vector<std::uint32_t> newcomers;     // contacts that left ChainState::apart
     std::vector<std::uint32_t> woken_rounds;  // the first index of each round in ContactStore::woken()
     std::vector<std::uint32_t> kept_shapes;   // a shape of each contact that stays although its boxes are apart
-    ChunkLists<MovedBox> moved_boxes;
+    ChunkLists<BroadPhase::MovedProxy> moved_proxies;
     ChunkLists<GroundContact> ground_contacts;
     std::vector<CollisionCounts> collision_counts;  // by chunk
     std::vector<ContactCounts> contact_counts;      // by chunk
@@ -100,7 +94,7 @@ struct ChunkScratch {
     std::size_t bytes() const {
         return found.bytes() +
                (newcomers.capacity() + woken_rounds.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
-               moved_boxes.bytes() + ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
+               moved_proxies.bytes() + ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
                contact_counts.capacity() * sizeof(ContactCounts);
     }
 };
