@@ -18,8 +18,8 @@ struct ManifoldPoint {
 };
 
 struct Manifold {
-    Vec2 normal;              // unit, from A to B, world axes
     int point_count = 0;      // 0 to 2; 0 if farther apart than the speculative distance, or for invalid input
+    Vec2 normal;              // unit, from A to B, world axes
     ManifoldPoint points[2];  // [point_count], in the counter-clockwise order of A's edge
 };
 

@@ -40,7 +40,7 @@ void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& 
     std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour
     bool has_touching = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        prefetch_after(contacts, i, 2);
+        prefetch_after(contacts, i, 1);
         const bool touching = contacts[i].manifold.point_count > 0 && !contacts[i].is_bouncing;
         contact_colors_[i] = touching ? choose_color(contacts[i], bodies) : kNotTouching;
         if (touching) ++count[contact_colors_[i]];

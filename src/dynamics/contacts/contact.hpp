@@ -36,14 +36,14 @@ struct Approach {
     float speed = 0.0f;  // m/s, positive if the shapes approach
 };
 
-// The members of each cache line belong together: most passes over all contacts read the first one or two.
+// Most passes over all contacts read the first cache line alone: it ends with the number of manifold points. The solver
+// reads three lines, and writes into the first.
 struct alignas(64) Contact {
     ProxyPair shapes;          // indices, a < b: contacts are sorted by them
     std::uint32_t body_a = 0;  // index
     std::uint32_t body_b = 0;
-    PointImpulse impulses[2];      // by manifold point, of the last sub-step: they warm start the next step
-    PointImpulse applied[2];       // by manifold point, of the whole last step
-    float rolling_impulse = 0.0f;  // N m s, of the last sub-step
+    PointImpulse impulses[2];  // by manifold point, of the last sub-step: they warm start the next step
+    PointImpulse applied[2];   // by manifold point, of the whole last step
     ContactKind kind = ContactKind::solid;
     ChainState chain_state = ChainState::apart;  // of a chain's segment
     bool is_new = true;                          // not collided since the pair was found or woken
@@ -66,6 +66,7 @@ struct alignas(64) Contact {
     float restitution = 0.0f;
     float rolling_resistance = 0.0f;  // m
     float tangent_speed = 0.0f;       // m/s
+    float rolling_impulse = 0.0f;     // N m s, of the last sub-step
     SimplexCache cache;
     Approach approach;            // of the watched point
     ManifoldReference reference;  // the last full collision
@@ -93,6 +94,8 @@ inline void prefetch_after(std::span<const Contact> contacts, std::size_t index,
     constexpr std::size_t kAhead = 8;
     if (index + kAhead < contacts.size()) prefetch(contacts[index + kAhead], lines);
 }
+
+static_assert(offsetof(Contact, manifold) + offsetof(Manifold, normal) == 64);
 
 // The tangent of a contact normal: the normal turned clockwise. With B on top of A it points to the right.
 constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }

@@ -194,7 +194,7 @@ void find_changed_contacts(Simulation& simulation) {
                                                    [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
                                                        ContactCounts own;
                                                        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                                                           prefetch_after(contacts, i, 3);
+                                                           prefetch_after(contacts, i, 2);
                                                            const int shown = shown_points(contacts[i]);
                                                            own.contacts += shown > 0;
                                                            own.points += static_cast<std::size_t>(shown);

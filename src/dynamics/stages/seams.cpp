@@ -64,7 +64,7 @@ void find_ground_contacts(Simulation& simulation) {
     ChunkLists<GroundContact>& lists = simulation.scratch->chunks.ground_contacts;
     lists.fill(simulation.crew, contacts.size(), kLeastGround, [&](std::size_t i, std::vector<GroundContact>& list) {
         const Contact& contact = contacts[i];
-        prefetch_after(contacts, i, 2);
+        prefetch_after(contacts, i, 1);
         if (contact.manifold.point_count == 0) return;
         const bool on_a = !simulation.bodies.is_dynamic(contact.body_a);
         const bool on_b = !simulation.bodies.is_dynamic(contact.body_b);
