@@ -30,7 +30,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"narrow/cast", {"simd", "narrow/cores"}},
     {"narrow/impact", {"math", "narrow/cores", "narrow/distance", "narrow/cast"}},
     {"narrow/compound", {"narrow/cores", "narrow/distance", "narrow/cast", "narrow/impact"}},
-    {"dynamics/bodies", {"math", "tasks", "broad"}},
+    {"dynamics/bodies", {"math", "simd", "tasks", "broad"}},
     {"dynamics/contacts", {"simd", "tasks", "broad", "narrow/manifold", "dynamics/bodies"}},
     {"dynamics/rows", {"dynamics/bodies"}},
     {"dynamics/joints", {"tasks", "dynamics/bodies", "dynamics/rows"}},

@@ -49,8 +49,9 @@ constexpr Vec2 scaled(Vec2 factors, Vec2 v) { return {factors.x * v.x, factors.y
 // The velocity of the point at the offset `arm` from the centre of mass (world axes, m).
 inline Vec2 velocity_at(const SolverBody& body, Vec2 arm) { return body.velocity + cross(body.angular_velocity, arm); }
 
-// The rotation by `first`, then by `second`.
-constexpr Rotation compose(Rotation second, Rotation first) {
+// The rotation by `first`, then by `second`: both Rotation, or lanes of sine and cosine.
+template <class Turn>
+constexpr Turn compose(const Turn& second, const Turn& first) {
     return {second.c * first.c - second.s * first.s, second.s * first.c + second.c * first.s};
 }
 
@@ -64,11 +65,13 @@ constexpr Rotation rotation_between(Rotation from, Rotation to) {
 inline float angle_bound(Rotation turn) { return turn.c > 0.0f ? 1.58f * std::abs(turn.s) : 3.15f; }
 
 // The rotation by a small angle (rad) without trigonometry. With t = tan(angle / 2), c = (1 - t^2) / (1 + t^2) and
-// s = 2 t / (1 + t^2) have unit length; the series t = angle / 2 + angle^3 / 24 has the error angle^5 / 120.
-constexpr Rotation small_rotation(float angle) {
-    const float half = 0.5f * angle;
-    const float t = half + half * half * half * (1.0f / 3.0f);
-    const float scale = 1.0f / (1.0f + t * t);
+// s = 2 t / (1 + t^2) have unit length; the series t = angle / 2 + angle^3 / 24 has the error angle^5 / 120. The angle
+// is a float, or lanes of them.
+template <class Turn = Rotation, class Angle>
+constexpr Turn small_rotation(const Angle& angle) {
+    const Angle half = 0.5f * angle;
+    const Angle t = half + half * half * half * (1.0f / 3.0f);
+    const Angle scale = 1.0f / (1.0f + t * t);
     return {(1.0f - t * t) * scale, 2.0f * t * scale};
 }
 
