@@ -88,6 +88,28 @@ void end_contact(Simulation& simulation, Contact& contact) {
     simulation.broad.remove_pair(contact.shapes);
 }
 
+// The indices of the contacts that end.
+const ChunkLists<std::uint32_t>& find_ended(Simulation& simulation, EndOf which) {
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
+    const bool may_end_all = may_end_anywhere(simulation);
+    const auto add_if_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+        const ProxyPair shapes = contacts[i].shapes;
+        if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
+        const bool keep =
+            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
+        if (!keep) found.push_back(static_cast<std::uint32_t>(i));
+    };
+    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, add_if_ended);
+    if (which == EndOf::untouched_contacts) keep_touched(simulation, ended);
+    return ended;
+}
+
+// Reports the end of contacts. The caller removes them.
+void end_each(Simulation& simulation, const ChunkLists<std::uint32_t>& ended) {
+    ended.for_each([&](std::uint32_t i) { end_contact(simulation, simulation.contacts.all()[i]); });
+}
+
 // Wakes the sleeping bodies of the touching contacts of an array, from the index `first` on. Returns false if there are
 // none. The contacts of the islands that wake go to ContactStore::woken(), which may be this array.
 bool wake_touched(Simulation& simulation, const std::vector<Contact>& contacts, std::size_t first) {
@@ -127,9 +149,10 @@ void find_pairs(Simulation& simulation, EndOf which) {
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
     std::vector<std::uint32_t>& kept = simulation.scratch->chunks.kept_shapes;
     kept.clear();
-    end_contacts(simulation, which);
-    simulation.contacts.add(find_new_pairs(simulation), simulation.bodies, simulation.shapes,
-                            simulation.settings.tuning);
+    const ChunkLists<std::uint32_t>& ended = find_ended(simulation, which);
+    const std::vector<ProxyPair>& new_pairs = find_new_pairs(simulation);
+    end_each(simulation, ended);
+    simulation.contacts.replace(ended, new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
     for (const std::uint32_t shape : kept) simulation.broad.touch(shape);
@@ -137,19 +160,8 @@ void find_pairs(Simulation& simulation, EndOf which) {
 
 void end_contacts(Simulation& simulation, EndOf which) {
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
-    std::vector<Contact>& contacts = simulation.contacts.all();
-    ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
-    const bool may_end_all = may_end_anywhere(simulation);
-    const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
-        const ProxyPair shapes = contacts[i].shapes;
-        if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
-        const bool keep =
-            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
-        if (!keep) found.push_back(static_cast<std::uint32_t>(i));
-    };
-    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
-    if (which == EndOf::untouched_contacts) keep_touched(simulation, ended);
-    ended.for_each([&](std::uint32_t i) { end_contact(simulation, contacts[i]); });
+    const ChunkLists<std::uint32_t>& ended = find_ended(simulation, which);
+    end_each(simulation, ended);
     simulation.contacts.remove(ended);
 }
 

@@ -51,6 +51,11 @@ std::size_t bytes_of(const Part& part) {
     visit_value(counter, part);
     return counter.bytes();
 }
+std::size_t bytes_of(const ContactStore& contacts) {
+    MemoryCounter counter;
+    visit_value(counter, contacts);
+    return counter.bytes() + contacts.spare_bytes();
+}
 std::size_t bytes_of(const BroadPhase& broad) {
     MemoryCounter counter;
     visit_value(counter, broad);

@@ -1,8 +1,8 @@
 // Visits the numbers of a value of any type: one traversal for writing, reading and counting memory.
 //
 // A visitor has leaf(number), shape(Shape), list(vector), optional(optional) and variant(variant). Classes with private
-// members, and structs with C arrays, list their members in a static visit_members(self, visit), in the order of their
-// declaration. A list that leaves a member out does not compile.
+// members, and structs with C arrays, list their members in a static visit_members(self, visit), in an order that stays
+// the same: snapshots have it. A list that leaves a member out does not compile.
 #pragma once
 
 #include <array>
@@ -55,7 +55,8 @@ constexpr std::size_t size_with_members() {
 
 // Classes whose visit_members() leaves something out on purpose, or calls visit several times.
 template <class T>
-inline constexpr bool kListsInParts = std::is_same_v<T, BroadPhase> || std::is_same_v<T, JointStore>;
+inline constexpr bool kListsInParts =
+    std::is_same_v<T, BroadPhase> || std::is_same_v<T, ContactStore> || std::is_same_v<T, JointStore>;
 
 // True if a list of members is complete. A member that fits into padding is noticed in an aggregate only.
 template <class Owner, class... Members>

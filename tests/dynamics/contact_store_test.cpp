@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "dynamics/bodies/body_store.hpp"
@@ -12,10 +13,10 @@ using namespace tumble;
 
 namespace {
 
-// Three dynamic bodies with a ball each.
+// Dynamic bodies with a ball each.
 struct Balls {
-    Balls() {
-        for (int i = 0; i < 3; ++i) {
+    explicit Balls(int count = 3) {
+        for (int i = 0; i < count; ++i) {
             BodyDef def;
             def.pose.position = {1.0 * i, 0.0};
             const BodyId body = bodies.create(def);
@@ -66,4 +67,36 @@ TEST_CASE("each round of woken contacts is sorted, and a pair is found in any of
     balls.contacts.keep_woken_if(1, [](const Contact& contact) { return contact.shapes.b == 2; });
     REQUIRE(woken.size() == 2);
     CHECK(woken[1].shapes == ProxyPair{1, 2});
+}
+
+TEST_CASE("contacts that end and begin at the same time leave the others in order, as one after the other") {
+    // Pairs of 12 balls in random order: each round ends some of those that exist and begins some of the others.
+    Balls balls(12), reference(12);
+    std::vector<ProxyPair> all;
+    for (std::uint32_t a = 0; a < 12; ++a)
+        for (std::uint32_t b = a + 1; b < 12; ++b) all.push_back({a, b});
+    std::mt19937 random(5);
+    Crew crew;
+    for (int round = 0; round < 300; ++round) {
+        const unsigned part = 1u + random() % 8u;  // one of so many changes
+        ChunkLists<std::uint32_t> ended;
+        const std::vector<Contact>& before = balls.contacts.all();
+        ended.fill(crew, before.size(), 1, [&](std::size_t i, std::vector<std::uint32_t>& list) {
+            if (random() % part == 0) list.push_back(static_cast<std::uint32_t>(i));
+        });
+        std::vector<ProxyPair> begun;
+        for (const ProxyPair pair : all)
+            if (!balls.contacts.find(pair) && random() % part == 0) begun.push_back(pair);
+        balls.contacts.replace(ended, begun, balls.bodies, balls.shapes, {});
+        reference.contacts.remove(ended);
+        reference.contacts.add(begun, reference.bodies, reference.shapes, {});
+        const std::vector<Contact>& after = balls.contacts.all();
+        REQUIRE(after.size() == reference.contacts.all().size());
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            REQUIRE((i == 0 || after[i - 1].shapes < after[i].shapes));
+            REQUIRE(after[i].shapes == reference.contacts.all()[i].shapes);
+            REQUIRE(after[i].body_b == after[i].shapes.b);
+            REQUIRE(after[i].skipped_colors == reference.contacts.all()[i].skipped_colors);
+        }
+    }
 }

@@ -43,33 +43,78 @@ const Contact* ContactStore::find_in_woken(ProxyPair pair, std::span<const std::
     return nullptr;
 }
 
-template <class PairOf, class Make>
-void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
-    const std::size_t old_size = contacts_.size(), size = old_size + count;
-    if (size > contacts_.capacity())
-        // The first reservation has little spare room, as contacts are large, and in most worlds few are added later.
-        contacts_.reserve(std::max(size + size / 8, contacts_.capacity() + contacts_.capacity() / 2));
-    contacts_.resize(size);
-    Contact* const begin = contacts_.data();
-    Contact *from = begin + old_size, *to = begin + size;
-    while (count > 0) {
-        Contact* const position = lower_bound_of(begin, from, pair_of(--count));
-        TUMBLE_CHECK((position == from || position->shapes != pair_of(count)));
-        to = std::copy_backward(position, from, to);
-        from = position;
-        *--to = make(count);
+// Plans kept_, places_ and new_size_.
+template <class PairOf>
+void ContactStore::find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of) {
+    kept_.clear();
+    places_.clear();
+    const Contact* const all = contacts_.data();
+    std::size_t from = 0, to = 0;
+    const auto keep_up_to = [&](std::size_t end) {
+        TUMBLE_CHECK(from <= end);
+        if (from < end) kept_.push_back({from, end, to});
+        to += end - from;
+        from = end;
+    };
+    const auto insert_before = [&](std::size_t end) {
+        while (places_.size() < count) {
+            const ProxyPair pair = pair_of(places_.size());
+            const auto place = static_cast<std::size_t>(lower_bound_of(all + from, all + end, pair) - all);
+            if (place == end && end < contacts_.size() && all[end].shapes < pair) return;
+            keep_up_to(place);
+            places_.push_back(to++);
+        }
+    };
+    ended.for_each([&](std::uint32_t index) {
+        insert_before(index);
+        keep_up_to(index);
+        from = index + 1;
+    });
+    insert_before(contacts_.size());
+    keep_up_to(contacts_.size());
+    new_size_ = to;
+}
+
+// Runs that move to smaller indices first, in order, then the others from the back: none is written over before it has
+// moved, as the runs keep their order.
+void ContactStore::move_kept() {
+    Contact* const all = contacts_.data();
+    for (const KeptRun& run : kept_)
+        if (run.to < run.begin) std::copy(all + run.begin, all + run.end, all + run.to);
+    for (std::size_t i = kept_.size(); i-- > 0;) {
+        const KeptRun& run = kept_[i];
+        if (run.to > run.begin)
+            std::copy_backward(all + run.begin, all + run.end, all + run.to + (run.end - run.begin));
     }
 }
 
-void ContactStore::add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
-                       const Tuning& tuning) {
-    insert(
-        new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
+template <class PairOf, class Make>
+void ContactStore::rearrange(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf&& pair_of, Make&& make) {
+    if (count == 0 && ended.empty()) return;
+    find_places(ended, count, pair_of);
+    if (new_size_ > contacts_.capacity())
+        // The first reservation has little spare room, as contacts are large, and in most worlds few are added later.
+        contacts_.reserve(std::max(new_size_ + new_size_ / 8, contacts_.capacity() + contacts_.capacity() / 2));
+    contacts_.resize(std::max(new_size_, contacts_.size()));
+    move_kept();
+    contacts_.resize(new_size_);
+    for (std::size_t i = count; i-- > 0;) contacts_[places_[i]] = make(i);
+}
+
+void ContactStore::replace(const ChunkLists<std::uint32_t>& ended, const std::vector<ProxyPair>& new_pairs,
+                           BodyStore& bodies, const ShapeStore& shapes, const Tuning& tuning) {
+    rearrange(
+        ended, new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
         [&](std::size_t i) {
             Contact contact = make_contact(new_pairs[i], shapes, tuning);
             draw_colors(contact, bodies);
             return contact;
         });
+}
+
+void ContactStore::add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
+                       const Tuning& tuning) {
+    replace({}, new_pairs, bodies, shapes, tuning);
 }
 
 void ContactStore::add_to_woken(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
@@ -80,19 +125,9 @@ void ContactStore::add_to_woken(const std::vector<ProxyPair>& new_pairs, BodySto
     }
 }
 
-// Moves the contacts between two removed ones together.
-void ContactStore::remove(const ChunkLists<std::uint32_t>& indices) {
-    if (indices.empty()) return;
-    std::size_t kept = 0, next = 0;
-    const auto keep_up_to = [&](std::size_t end) {
-        TUMBLE_CHECK(next <= end);
-        if (kept < next) std::copy(contacts_.data() + next, contacts_.data() + end, contacts_.data() + kept);
-        kept += end - next;
-        next = end + 1;
-    };
-    indices.for_each(keep_up_to);
-    keep_up_to(contacts_.size());
-    contacts_.resize(kept);
+void ContactStore::remove(const ChunkLists<std::uint32_t>& ended) {
+    const auto none = [](std::size_t) { return ProxyPair{}; };
+    rearrange(ended, 0, none, [](std::size_t) { return Contact{}; });
 }
 
 void ContactStore::add_woken(std::span<const Contact> contacts) {
@@ -113,8 +148,8 @@ void ContactStore::sort_woken(std::size_t first) {
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
     const std::vector<const Contact*> sorted = in_order(woken_);
-    insert(
-        sorted.size(), [&](std::size_t i) { return sorted[i]->shapes; },
+    rearrange(
+        {}, sorted.size(), [&](std::size_t i) { return sorted[i]->shapes; },
         [&](std::size_t i) -> const Contact& { return *sorted[i]; });
     woken_.clear();
 }

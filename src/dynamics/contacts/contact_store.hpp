@@ -23,8 +23,12 @@ public:
     void add(const std::vector<ProxyPair>& new_pairs, BodyStore& bodies, const ShapeStore& shapes,
              const Tuning& tuning);
 
+    // The same, and removes the contacts of the indices `ended`, which ascend. The others are moved once.
+    void replace(const ChunkLists<std::uint32_t>& ended, const std::vector<ProxyPair>& new_pairs, BodyStore& bodies,
+                 const ShapeStore& shapes, const Tuning& tuning);
+
     // Removes contacts by their indices, which ascend.
-    void remove(const ChunkLists<std::uint32_t>& indices);
+    void remove(const ChunkLists<std::uint32_t>& ended);
 
     // Removes the contacts for which keep(contact), called in order, is false.
     template <class Keep>
@@ -65,6 +69,11 @@ public:
     std::vector<Contact>& all() { return contacts_; }
     const std::vector<Contact>& all() const { return contacts_; }
 
+    // Bytes of the buffers that are kept from step to step.
+    std::size_t spare_bytes() const {
+        return kept_.capacity() * sizeof(KeptRun) + places_.capacity() * sizeof(std::size_t);
+    }
+
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.contacts_, self.woken_);
@@ -74,13 +83,24 @@ private:
     template <class Keep>
     static void keep_if(std::vector<Contact>& contacts, std::size_t first, Keep&& keep);
 
-    // Inserts `count` contacts in order, from the back and without a second buffer. pair_of(i) ascends, and make(i) is
-    // the contact of that pair: called once for each i, in descending order, on which the draws of colours depend.
+    // Removes the contacts `ended` from all(), and inserts `count` others. pair_of(i) ascends, and make(i) is the
+    // contact of that pair: called once for each i, in descending order, on which the draws of colours depend.
     template <class PairOf, class Make>
-    void insert(std::size_t count, PairOf&& pair_of, Make&& make);
+    void rearrange(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf&& pair_of, Make&& make);
+    template <class PairOf>
+    void find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of);
+    void move_kept();
 
-    std::vector<Contact> contacts_;  // sorted
-    std::vector<Contact> woken_;     // in order of waking, or of beginning in add_to_woken()
+    // Contacts that stay next to each other: their indices before and after.
+    struct KeptRun {
+        std::size_t begin, end, to;
+    };
+
+    std::vector<Contact> contacts_;    // sorted
+    std::vector<Contact> woken_;       // in order of waking, or of beginning in add_to_woken()
+    std::vector<KeptRun> kept_;        // of the last rearrange()
+    std::vector<std::size_t> places_;  // of the contacts that it inserted
+    std::size_t new_size_ = 0;
 };
 
 template <class Keep>
