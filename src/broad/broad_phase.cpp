@@ -27,12 +27,11 @@ void BroadPhase::remove(std::uint32_t key) {
 }
 
 void BroadPhase::move(const ChunkLists<MovedProxy>& moved) {
+    moved.for_each([&](const MovedProxy& proxy) { touch(proxy.key); });  // may run out of memory; what follows does not
     bool all_placed = true;
     moved.for_each([&](const MovedProxy& proxy) {
-        TUMBLE_CHECK(has(proxy.key));
         proxies_[proxy.key].box = proxy.box;
         all_placed &= tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box);
-        touch(proxy.key);
     });
     for (AabbTree& tree : trees_) tree.refit();
     if (all_placed) return;

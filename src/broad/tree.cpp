@@ -72,6 +72,9 @@ void AabbTree::move(Node leaf, const Aabb& box) {
 
 bool AabbTree::place(Node leaf, const Aabb& box) {
     TUMBLE_CHECK(at(leaf).is_leaf());
+    TUMBLE_CHECK(!at(leaf).is_marked());
+    TUMBLE_CHECK(box.lower.x <= box.upper.x);
+    TUMBLE_CHECK(box.lower.y <= box.upper.y);
     if (!overlaps(at(leaf).box, box)) return false;
     at(leaf).box = box;
     mark(leaf);

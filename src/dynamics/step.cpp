@@ -69,13 +69,13 @@ std::size_t amount_of_work(const Simulation& simulation) {
 }
 
 // Lists the shapes of a body that have left their boxes, with the new ones.
-void find_left_boxes(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
-                     std::vector<BroadPhase::MovedProxy>& left) {
+void find_moved_proxies(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
+                        std::vector<BroadPhase::MovedProxy>& moved) {
     const Pose& pose = simulation.bodies.frames[moving.body].pose;
     for (const ShapeId shape : simulation.bodies.records[moving.body].shapes) {
         const std::optional<Aabb> box =
             simulation.shapes.new_box(shape.index, pose, ahead, simulation.settings.tuning, simulation.broad);
-        if (box) left.push_back({shape.index, *box});
+        if (box) moved.push_back({shape.index, *box});
     }
 }
 
@@ -151,16 +151,16 @@ void cover_free_motions(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     std::vector<FreeMotion>& motions = simulation.scratch->free_motions;
     motions.resize(bodies.moving.size());
-    ChunkLists<BroadPhase::MovedProxy>& left = simulation.scratch->chunks.moved_proxies;
-    left.fill(simulation.crew, motions.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
+    ChunkLists<BroadPhase::MovedProxy>& moved_proxies = simulation.scratch->chunks.moved_proxies;
+    moved_proxies.fill(simulation.crew, motions.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
         if (i == kStaticSolverBody) return;
         const BodyMotion& body = bodies.moving[i].motion;
         motions[i] = bodies.free_motion(static_cast<std::uint32_t>(i), settings.gravity, settings.duration);
         const float moved = length(motions[i].path) + std::abs(motions[i].turn) * body.reach;
         if (moved > settings.tuning.speculative_distance(body.smallest_extent))
-            find_left_boxes(simulation, bodies.moving[i], motions[i], list);
+            find_moved_proxies(simulation, bodies.moving[i], motions[i], list);
     });
-    simulation.broad.move(left);
+    simulation.broad.move(moved_proxies);
 }
 
 void prepare_constraints(Simulation& simulation) {
@@ -231,11 +231,11 @@ void collide_continuously(Simulation& simulation) {
 
 void update_proxies(Simulation& simulation) {
     const std::vector<MovingBody>& moving = simulation.bodies.moving;
-    ChunkLists<BroadPhase::MovedProxy>& left = simulation.scratch->chunks.moved_proxies;
-    left.fill(simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
-        if (i != kStaticSolverBody) find_left_boxes(simulation, moving[i], {}, list);
+    ChunkLists<BroadPhase::MovedProxy>& moved_proxies = simulation.scratch->chunks.moved_proxies;
+    moved_proxies.fill(simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, auto& list) {
+        if (i != kStaticSolverBody) find_moved_proxies(simulation, moving[i], {}, list);
     });
-    simulation.broad.move(left);
+    simulation.broad.move(moved_proxies);
 }
 
 }  // namespace tumble

@@ -1,9 +1,11 @@
 // Transposes eight records in memory into lanes, one array of lanes for each field, and back.
 //
-// The records are read and written as quarters of four floats. A register has one quarter, or with AVX those of two
-// records: its halves are transposed at the same time, so that no floats cross between them. Values are only moved, so
-// that any bits (flags, NaN) stay as they are.
+// Four floats of a record are read or written at once. A register of AVX holds those of two records: its halves are
+// transposed at the same time, and no floats cross between them, which is slower. Values are only moved, so that any
+// bits (flags, NaN) stay as they are.
 #pragma once
+
+#include <cstddef>
 
 #include "simd/lanes.hpp"
 
@@ -11,8 +13,8 @@ namespace tumble {
 
 namespace simd {
 
-// A register with four floats of rows[0], and of rows[4] if they fit.
-TUMBLE_LANE_FUNCTION Packet load_quarters(const float* const* rows, int first_float) {
+// Four floats of rows[0]; with AVX also four of rows[4], in the upper half.
+TUMBLE_LANE_FUNCTION Packet load_fours(const float* const* rows, int first_float) {
 #if defined(__AVX__)
     return _mm256_loadu2_m128(rows[4] + first_float, rows[0] + first_float);
 #else
@@ -20,11 +22,11 @@ TUMBLE_LANE_FUNCTION Packet load_quarters(const float* const* rows, int first_fl
 #endif
 }
 
-TUMBLE_LANE_FUNCTION void store_quarters(const Packet& quarters, float* const* rows) {
+TUMBLE_LANE_FUNCTION void store_fours(const Packet& fours, float* const* rows) {
 #if defined(__AVX__)
-    _mm256_storeu2_m128(rows[4], rows[0], quarters);
+    _mm256_storeu2_m128(rows[4], rows[0], fours);
 #else
-    Eigen::internal::pstoreu(rows[0], quarters);
+    Eigen::internal::pstoreu(rows[0], fours);
 #endif
 }
 
@@ -51,21 +53,30 @@ TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes
     for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
         for (int field = 0; field < 8; field += 4) {
             Eigen::internal::PacketBlock<simd::Packet, 4> tiles;
-            for (int i = 0; i < 4; ++i) tiles.packet[i] = simd::load_quarters(rows + lane + i, field);
+            for (int i = 0; i < 4; ++i) tiles.packet[i] = simd::load_fours(rows + lane + i, field);
             simd::transpose_tiles(tiles);
             for (int i = 0; i < 4; ++i) Eigen::internal::pstoreu(fields[field + i].data() + lane, tiles.packet[i]);
         }
     }
 }
 
-// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Two rows may be the same
-// memory if they get equal values.
+// Reads 8 consecutive floats of each record, from the member at `offset` (bytes) on: they must be within the record.
+template <class Record>
+TUMBLE_LANE_FUNCTION void gather_members(const Record* const records[kLaneCount], std::size_t offset, Lanes fields[8]) {
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        rows[lane] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(records[lane]) + offset);
+    gather_rows(rows, fields);
+}
+
+// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Rows may be the same
+// memory if they get equal values, or if nothing reads it.
 TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
     for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
         Eigen::internal::PacketBlock<simd::Packet, 4> tiles;
         for (int i = 0; i < 4; ++i) tiles.packet[i] = Eigen::internal::ploadu<simd::Packet>(fields[i].data() + lane);
         simd::transpose_tiles(tiles);
-        for (int i = 0; i < 4; ++i) simd::store_quarters(tiles.packet[i], rows + lane + i);
+        for (int i = 0; i < 4; ++i) simd::store_fours(tiles.packet[i], rows + lane + i);
     }
 }
 

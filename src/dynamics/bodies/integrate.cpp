@@ -23,10 +23,10 @@ float spin_limit_within_step(const SolverBody& body, const BodyStore& bodies, st
     return is_joined ? spin_limit(body, limits) : limits.fast_spin;
 }
 
-// Few bodies are that fast, and all are asked twice in a sub-step. True for a velocity that is not a number.
+// Few bodies are that fast, and all are asked twice in a sub-step. NaN exceeds nothing: clamp_speed() does
+// not change it.
 bool exceeds_limits(const SolverBody& body, const SpeedLimits& limits) {
-    return !(length_sq(body.velocity) <= limits.speed * limits.speed) ||
-           !(std::abs(body.angular_velocity) <= limits.spin);
+    return length_sq(body.velocity) > limits.speed * limits.speed || std::abs(body.angular_velocity) > limits.spin;
 }
 
 void clamp_within_step(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
@@ -73,69 +73,70 @@ struct LaneTurn {
 };
 
 // Eight bodies one after the other in memory, as lanes: the members of SolverBody.
-struct BodyOctet {
+struct EightBodies {
     Lanes velocity_x, velocity_y, angular_velocity, flags;
     Lanes delta_x, delta_y;
     LaneTurn turn;
 };
 
-// Eight floats of each of eight records, from the one at `member` (bytes) on.
+// Eight floats of each of eight records that follow one another.
 template <class Record>
-TUMBLE_LANE_FUNCTION void gather_members(const Record* records, std::size_t member, Lanes fields[8]) {
-    const float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane)
-        rows[lane] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(records + lane) + member);
-    gather_rows(rows, fields);
+TUMBLE_LANE_FUNCTION void gather_from(const Record* first, std::size_t offset, Lanes fields[8]) {
+    const Record* records[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) records[lane] = first + lane;
+    gather_members(records, offset, fields);
 }
 
-TUMBLE_LANE_FUNCTION BodyOctet load(const SolverBody* bodies) {
+TUMBLE_LANE_FUNCTION EightBodies load(const SolverBody* bodies) {
     Lanes f[8];
-    gather_members(bodies, 0, f);
+    gather_from(bodies, 0, f);
     return {f[0], f[1], f[2], f[3], f[4], f[5], {f[6], f[7]}};
 }
 
-// False also for velocities that are not numbers: clamping does not change these.
-TUMBLE_LANE_FUNCTION bool any_exceeds_limits(const BodyOctet& bodies, const SpeedLimits& limits) {
+TUMBLE_LANE_FUNCTION bool any_exceeds_limits(const EightBodies& bodies, const SpeedLimits& limits) {
     const Lanes speed_sq = bodies.velocity_x * bodies.velocity_x + bodies.velocity_y * bodies.velocity_y;
     return any_less(Lanes::Constant(limits.speed * limits.speed), speed_sq) ||
            any_less(Lanes::Constant(limits.spin), bodies.angular_velocity.abs());
 }
 
 bool are_free(const SolverBody* bodies) {
-    constexpr std::uint32_t kAsked = kDynamicBody | kLockX | kLockY | kLockRotation;
+    constexpr std::uint32_t kConditions = kDynamicBody | kLockX | kLockY | kLockRotation;
     for (int lane = 0; lane < kLaneCount; ++lane)
-        if ((bodies[lane].flags & kAsked) != kDynamicBody) return false;
+        if ((bodies[lane].flags & kConditions) != kDynamicBody) return false;
     return true;
 }
 
 // The velocities of eight free bodies. Returns true if one exceeds the limits.
-TUMBLE_LANE_KERNEL bool integrate_velocities_of_8(SolverBody* bodies, const MovingBody* moving, Vec2 gravity, float h,
-                                                  const SpeedLimits& limits) {
+[[gnu::noinline]] TUMBLE_LANE_KERNEL bool integrate_eight_velocities(SolverBody* bodies, const MovingBody* moving,
+                                                                     Vec2 gravity, float h, const SpeedLimits& limits) {
+    // The last eight floats contain the forces: eight from the first force on would end beyond the record.
     constexpr std::size_t kMotion = offsetof(MovingBody, motion), kForces = sizeof(MovingBody) - 8 * sizeof(float);
     static_assert(offsetof(BodyMotion, gravity_scale) == 0 && offsetof(BodyMotion, angular_damping) == 8);
     static_assert(offsetof(MovingBody, acceleration) == kForces + 20);
     static_assert(offsetof(MovingBody, angular_acceleration) == kForces + 28);
     Lanes motion[8], forces[8];
-    gather_members(moving, kMotion, motion);
-    gather_members(moving, kForces, forces);
-    BodyOctet octet = load(bodies);
+    gather_from(moving, kMotion, motion);
+    gather_from(moving, kForces, forces);
+    EightBodies eight = load(bodies);
     const Lanes acceleration_x = motion[0] * gravity.x + forces[5], acceleration_y = motion[0] * gravity.y + forces[6];
-    accelerate(octet.velocity_x, acceleration_x, motion[1], h);
-    accelerate(octet.velocity_y, acceleration_y, motion[1], h);
-    accelerate(octet.angular_velocity, forces[7], motion[2], h);
-    const Lanes fields[4] = {octet.velocity_x, octet.velocity_y, octet.angular_velocity, octet.flags};
+    accelerate(eight.velocity_x, acceleration_x, motion[1], h);
+    accelerate(eight.velocity_y, acceleration_y, motion[1], h);
+    accelerate(eight.angular_velocity, forces[7], motion[2], h);
+    const Lanes fields[4] = {eight.velocity_x, eight.velocity_y, eight.angular_velocity, eight.flags};
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[lane].velocity.x;
     scatter_rows(fields, rows);
-    return any_exceeds_limits(octet, limits);
+    return any_exceeds_limits(eight, limits);
 }
 
-// The positions of eight bodies. Returns false, and does nothing, if one exceeds the limits.
-TUMBLE_LANE_KERNEL bool integrate_positions_of_8(SolverBody* bodies, float h, const SpeedLimits& limits) {
-    BodyOctet octet = load(bodies);
-    if (any_exceeds_limits(octet, limits)) return false;
-    advance(octet.delta_x, octet.delta_y, octet.turn, octet.velocity_x, octet.velocity_y, octet.angular_velocity, h);
-    const Lanes fields[4] = {octet.delta_x, octet.delta_y, octet.turn.c, octet.turn.s};
+// The positions of eight bodies, among which the static one stays where it is, as its velocity is 0. Returns false, and
+// does nothing, if one exceeds the limits.
+[[gnu::noinline]] TUMBLE_LANE_KERNEL bool integrate_eight_positions(SolverBody* bodies, float h,
+                                                                    const SpeedLimits& limits) {
+    EightBodies eight = load(bodies);
+    if (any_exceeds_limits(eight, limits)) return false;
+    advance(eight.delta_x, eight.delta_y, eight.turn, eight.velocity_x, eight.velocity_y, eight.angular_velocity, h);
+    const Lanes fields[4] = {eight.delta_x, eight.delta_y, eight.turn.c, eight.turn.s};
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[lane].delta_position.x;
     scatter_rows(fields, rows);
@@ -159,7 +160,7 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedL
             SolverBody* const eight = &bodies.solver_bodies[i];
             if (!are_free(eight))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) integrate_one(k);
-            else if (integrate_velocities_of_8(eight, &bodies.moving[i], gravity, h, limits))
+            else if (integrate_eight_velocities(eight, &bodies.moving[i], gravity, h, limits))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) clamp_within_step(bodies, k, limits);
         }
         for (; i < chunk.end; ++i) integrate_one(i);
@@ -175,7 +176,7 @@ void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits, 
     crew.for_each_chunk(bodies.solver_bodies.size(), kLeastIntegrated, [&](const Chunk& chunk) {
         std::size_t i = chunk.begin;
         for (; i + kLaneCount <= chunk.end; i += kLaneCount)
-            if (!integrate_positions_of_8(&bodies.solver_bodies[i], h, limits))
+            if (!integrate_eight_positions(&bodies.solver_bodies[i], h, limits))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) integrate_one(k);
         for (; i < chunk.end; ++i) integrate_one(i);
     });

@@ -37,7 +37,7 @@ struct Approach {
 };
 
 // Most passes over all contacts read the first cache line alone: it ends with the number of manifold points. The solver
-// reads three lines, and writes into the first.
+// reads the first three, and writes the impulses into the first.
 struct alignas(64) Contact {
     ProxyPair shapes;          // indices, a < b: contacts are sorted by them
     std::uint32_t body_a = 0;  // index
@@ -80,6 +80,7 @@ struct alignas(64) Contact {
               self.rolling_resistance, self.tangent_speed, self.skipped_colors);
     }
 };
+static_assert(offsetof(Contact, manifold) + offsetof(Manifold, normal) == 64);  // the second line
 
 // Loads the first cache lines of a contact.
 inline void prefetch(const Contact& contact, std::size_t lines) {
@@ -94,8 +95,6 @@ inline void prefetch_after(std::span<const Contact> contacts, std::size_t index,
     constexpr std::size_t kAhead = 8;
     if (index + kAhead < contacts.size()) prefetch(contacts[index + kAhead], lines);
 }
-
-static_assert(offsetof(Contact, manifold) + offsetof(Manifold, normal) == 64);
 
 // The tangent of a contact normal: the normal turned clockwise. With B on top of A it points to the right.
 constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }

@@ -82,6 +82,7 @@ struct ContactBlock {
     Lanes friction;
     Softness softness;
     std::uint8_t moved_a, moved_b;  // a bit for each lane whose body the contact can move
+    std::uint8_t overlaps;          // a bit for each lane whose shapes overlapped when the step began
     // True if one of the lanes has it. Members of `extras` are valid only if their flag is set.
     bool has_locks;
     bool has_radius;

@@ -29,20 +29,14 @@ LaneSources find_sources(std::span<const std::uint32_t, kLaneCount> lanes, std::
         const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
         const bool is_used = index != ConstraintGraph::kNoContact;
         TUMBLE_CHECK((!is_used || index < contacts.size()));
+        TUMBLE_CHECK((!is_used || contacts[index].kind == ContactKind::solid));
+        TUMBLE_CHECK((!is_used || contacts[index].manifold.point_count > 0));
+        TUMBLE_CHECK((!is_used || contacts[index].manifold.point_count <= 2));
         sources.contact[lane] = is_used ? &contacts[index] : &unused;
         sources.a[lane] = is_used ? &bodies.frames[contacts[index].body_a] : &immovable;
         sources.b[lane] = is_used ? &bodies.frames[contacts[index].body_b] : &immovable;
     }
     return sources;
-}
-
-// Eight floats of each record, from the member at `offset` (bytes) on, as lanes.
-template <class Record>
-TUMBLE_LANE_FUNCTION void gather_members(const Record* const records[kLaneCount], std::size_t offset, Lanes fields[8]) {
-    const float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane)
-        rows[lane] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(records[lane]) + offset);
-    gather_rows(rows, fields);
 }
 
 // A bit for the lane if a contact can move the body.
@@ -72,11 +66,13 @@ struct CenterOffsets {
 };
 
 TUMBLE_LANE_FUNCTION CenterOffsets fill_masses(ContactBlock& block, const LaneSources& sources) {
-    static_assert(offsetof(BodyFrame, center_offset) == 40);
-    static_assert(offsetof(BodyFrame, inv_mass) == 48 && offsetof(BodyFrame, inv_inertia) == 52);
+    constexpr std::size_t kSecondHalf = sizeof(BodyFrame) / 2;
+    static_assert(offsetof(BodyFrame, center_offset) == kSecondHalf + 8);
+    static_assert(offsetof(BodyFrame, inv_mass) == kSecondHalf + 16);
+    static_assert(offsetof(BodyFrame, inv_inertia) == kSecondHalf + 20);
     Lanes a[8], b[8];
-    gather_members(sources.a, 32, a);
-    gather_members(sources.b, 32, b);
+    gather_members(sources.a, kSecondHalf, a);
+    gather_members(sources.b, kSecondHalf, b);
     block.inv_mass_a = a[4];
     block.inv_mass_b = b[4];
     block.inv_inertia_a = a[5];
@@ -143,6 +139,11 @@ TUMBLE_LANE_FUNCTION void fill_points(ContactBlock& block, const LaneSources& so
     block.normal_y = normal_and_first[1];
     fill_point(block, 0, sources, centers, normal_and_first + 2, impulses);
     fill_point(block, 1, sources, centers, second, impulses + 2);
+    block.overlaps = 0;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const bool overlaps = block.points[0].separation[lane] < 0.0f || block.points[1].separation[lane] < 0.0f;
+        block.overlaps |= static_cast<std::uint8_t>(static_cast<unsigned>(overlaps) << lane);
+    }
 }
 
 // The change of velocity at one arm per unit impulse at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
@@ -269,11 +270,6 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
                                second.tangent_impulse};
     const Lanes applied[4] = {first.applied_normal, first.applied_tangent, second.applied_normal,
                               second.applied_tangent};
-    // Each is positive if an impulse kept the surfaces apart, if friction acted, if any of them did or the shapes
-    // overlap.
-    const Lanes pushed = larger(first.applied_normal, second.applied_normal);
-    const Lanes rubbed = larger(first.applied_tangent.abs(), second.applied_tangent.abs());
-    const Lanes acted = larger(larger(pushed, rubbed), -smaller(first.separation, second.separation));
     float unused[4];
     float* impulse_rows[kLaneCount];
     float* applied_rows[kLaneCount];
@@ -286,9 +282,11 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
         if (!is_used) continue;
         TUMBLE_CHECK(!(first.normal_impulse[lane] < 0.0f));
         TUMBLE_CHECK(!(second.normal_impulse[lane] < 0.0f));
-        contacts[index].is_touching |= pushed[lane] > 0.0f;
+        const bool is_pushed = first.applied_normal[lane] > 0.0f || second.applied_normal[lane] > 0.0f;
+        contacts[index].is_touching |= is_pushed;
         if (block.has_rolling_resistance) contacts[index].rolling_impulse = block.extras->rolling_impulse[lane];
-        if (!(acted[lane] > 0.0f)) continue;
+        const bool is_rubbed = first.applied_tangent[lane] != 0.0f || second.applied_tangent[lane] != 0.0f;
+        if (!is_pushed && !is_rubbed && !(block.overlaps >> lane & 1)) continue;
         mark_pushed(bodies[block.body_a[lane].index()]);
         mark_pushed(bodies[block.body_b[lane].index()]);
     }

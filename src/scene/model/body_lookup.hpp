@@ -20,9 +20,10 @@ public:
 
     const std::string& name() const { return name_; }
 
-    // Null while no body has the name; a later body may have the name of one that was despawned. The search goes on
-    // where the last one ended, as new instances are appended.
+    // Null while no body has the name, and if the name is empty; a later body may have the name of one that was
+    // despawned. The search goes on where the last one ended, as new instances are appended.
     const SceneInstance* find(const SceneWorld& built) {
+        if (name_.empty()) return nullptr;
         TUMBLE_CHECK(next_ <= built.bodies.size());
         for (; next_ < built.bodies.size(); ++next_) {
             const SceneInstance& body = built.bodies[next_];

@@ -91,6 +91,8 @@ SceneRun SceneRun::load(const Scene& scene, std::span<const std::byte> saved) {
     Impl& impl = *run.impl_;
     if (read.scene_hash != hash_without_duration(scene) || !impl.timeline.set_state(read.events))
         throw SnapshotError("the saved run is that of another scene");
+    if (read.bodies.size() < impl.built.bodies.size())
+        throw SnapshotError("the saved run has fewer bodies than its scene");
     impl.built.world = World::load(read.world);
     impl.built.bodies = std::move(read.bodies);
     impl.built.work = read.work;

@@ -86,8 +86,16 @@ std::unordered_map<std::string_view, std::size_t> first_instances(const SceneWor
     return first;
 }
 
-// The energy of a body, of none if it was destroyed, J.
+// The energy of a body, 0 if it was destroyed, J.
 double energy_of(const World& world, BodyId body) { return world.is_valid(body) ? world.energy(body).total() : 0.0; }
+
+// Calls act(), and adds to the work what it changes of energy(), J.
+template <class Energy, class Act>
+void act_and_add_work(SceneWorld& built, Energy&& energy, Act&& act) {
+    const double before = energy();
+    act();
+    built.work += energy() - before;
+}
 
 void act_on_body(World& world, const SceneEvent& event, BodyId body) {
     const BodyState state = world.state(body);
@@ -198,21 +206,19 @@ bool TimelineRun::is_stopped(const SceneWorld& built) const {
         open_, [&](std::size_t index) { return events_[index].event.stop && is_due(events_[index], built.world); });
 }
 
+// The work is what changes the energy of bodies. Joints have none, and bodies that wake keep theirs.
 void TimelineRun::apply(ScheduledEvent& scheduled, SceneWorld& built) {
     const SceneEvent& event = scheduled.event;
     World& world = built.world;
-    if (event.gravity) {
-        const double before = world.energy().total();
-        world.set_gravity(to_float(*event.gravity));
-        built.work += world.energy().total() - before;
-    }
+    if (event.gravity)
+        act_and_add_work(
+            built, [&] { return world.energy().total(); }, [&] { world.set_gravity(to_float(*event.gravity)); });
     if (event.spawn) spawn(scheduled, built);
     if (scheduled.joint && world.is_valid(*scheduled.joint)) act_on_joint(world, event, *scheduled.joint);
     if (const SceneInstance* body = scheduled.body.find(built)) {
         const BodyId id = body->id;
-        const double before = energy_of(world, id);
-        act_on_body(world, event, id);
-        built.work += energy_of(world, id) - before;
+        act_and_add_work(
+            built, [&] { return energy_of(world, id); }, [&] { act_on_body(world, event, id); });
         if (scheduled.lasts())
             pushes_.push_back(
                 {.body = id, .force = event.force.value_or(DVec2{}), .torque = event.torque.value_or(0.0)});
