@@ -1,11 +1,14 @@
-// Small parts of a step: softness, rotations, recycling, ids.
+// Small parts of a step: softness, rotations, recycling, ids, integration.
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
+#include <random>
 #include <vector>
 
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/id_pool.hpp"
+#include "dynamics/bodies/integrate.hpp"
 #include "dynamics/bodies/softness.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 #include "dynamics/contacts/recycling.hpp"
@@ -164,4 +167,52 @@ TEST_CASE("two segments without thickness have an impact") {
     moving.start = {0.0, 1.0};
     moving.end = {0.0, -3.0};
     CHECK(near(find_impact(falling, moving, floor, {}, 0.0f, false).fraction, 0.25, absolute(1e-3)));
+}
+
+namespace {
+
+// A body that is the same for the same number: some are kinematic, locked, damped, pushed, or faster than the limits.
+void add_random_body(BodyStore& bodies, unsigned number) {
+    std::mt19937 random(number);
+    const auto value = [&](float size) { return size * (static_cast<float>(random() % 2001) / 1000.0f - 1.0f); };
+    BodyDef def;
+    def.type = random() % 32 == 0 ? BodyType::kinematic_body : BodyType::dynamic_body;
+    def.allow_fast_rotation = random() % 8 == 0;
+    def.locks = {random() % 64 == 0, random() % 64 == 0, random() % 64 == 0};
+    def.linear_damping = random() % 2 == 0 ? 0.3f : 0.0f;
+    def.angular_damping = random() % 2 == 0 ? 0.7f : 0.0f;
+    def.velocity = {value(10.0f), value(random() % 32 == 0 ? 1000.0f : 10.0f)};
+    def.angular_velocity = value(random() % 32 == 0 ? 2000.0f : 10.0f);
+    bodies.set_mass(bodies.create(def), BodyMass{2.0f, {}, 3.0f}, 1.0f, 1.0f);
+    bodies.moving.back().acceleration = {value(5.0f), value(5.0f)};
+    bodies.moving.back().angular_acceleration = value(5.0f);
+}
+
+void integrate(BodyStore& bodies) {
+    constexpr SpeedLimits limits{400.0f, 47.0f, 750.0f};
+    Crew crew;
+    for (int i = 0; i < 5; ++i) {
+        integrate_velocities(bodies, {0.5f, -9.8f}, 1.0f / 240.0f, limits, crew);
+        integrate_positions(bodies, 1.0f / 240.0f, limits, crew);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("eight bodies in lanes move as each of them does alone") {
+    constexpr unsigned kBodies = 400;  // no multiple of eight with the static body
+    BodyStore together;
+    for (unsigned i = 0; i < kBodies; ++i) add_random_body(together, i);
+    integrate(together);
+    int clamped = 0;
+    for (unsigned i = 0; i < kBodies; ++i) {
+        BodyStore alone;
+        add_random_body(alone, i);
+        integrate(alone);
+        REQUIRE(alone.solver_bodies.size() == 2);
+        CHECK(std::memcmp(&together.solver_bodies[1 + i], &alone.solver_bodies[1], sizeof(SolverBody)) == 0);
+        clamped += (alone.solver_bodies[1].flags & kClampedBody) != 0;
+    }
+    CHECK(clamped > 5);
+    CHECK(clamped < 200);
 }
