@@ -166,8 +166,9 @@ void cover_free_motions(Simulation& simulation) {
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     TUMBLE_CHECK(simulation.contacts.woken().empty());
+    const BounceBy bounces = settings.orders_impacts() ? BounceBy::impacts : BounceBy::solver;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
-                                               settings.gravity, settings.substep_duration(), simulation.crew);
+                                               settings.gravity, settings.substep_duration(), bounces, simulation.crew);
     simulation.joints.prepare(simulation.bodies, settings.joints, simulation.crew);
     simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
         return simulation.scratch->contact_solver.graph().has_contact(solver_body);

@@ -73,7 +73,7 @@ struct Tangle : SolverParts {
             contacts.back().skipped_colors = static_cast<std::uint8_t>(i % 4);
         }
         graph.build(contacts, bodies);
-        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
+        prepare_contacts(contacts, bodies, graph, {}, {}, kH, BounceBy::solver, blocks, extras, crew);
     }
 };
 
@@ -95,7 +95,8 @@ SolverParts make_ball_on_ground(float separation, float speed = 0.0f, float impu
     made.contacts.push_back(make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, separation));
     made.contacts[0].impulses[0].normal = impulse;
     made.graph.build(made.contacts, made.bodies);
-    prepare_contacts(made.contacts, made.bodies, made.graph, {}, {}, kH, made.blocks, made.extras, crew);
+    prepare_contacts(made.contacts, made.bodies, made.graph, {}, {}, kH, BounceBy::solver, made.blocks, made.extras,
+                     crew);
     REQUIRE(made.blocks.size() == 1);
     return made;
 }
@@ -264,7 +265,7 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
     std::vector<ContactExtras> extras;
-    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
+    prepare_contacts(contacts, bodies, graph, {}, {}, kH, BounceBy::solver, blocks, extras, crew);
     REQUIRE(blocks.size() == 1);
     relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH, FrictionBound::rigid);
     CHECK(near(blocks[0].points[0].normal_impulse[0], 0.5, kFloat));

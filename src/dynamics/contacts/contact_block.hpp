@@ -96,10 +96,14 @@ struct ContactBlock {
 // overlap out, or the one that the rigid rows ask for.
 enum class FrictionBound : std::uint8_t { biased, rigid };
 
+// What makes shapes bounce: apply_restitution(), or continuous collision at the time of the impact. Only the former
+// needs to know the work of impulses.
+enum class BounceBy : std::uint8_t { solver, impacts };
+
 // Fills the blocks, one for each block of the graph, from manifolds and bodies. Each block refers to the extras of the
 // same index. `h` is the sub-step, s.
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks,
+                      const Tuning& tuning, Vec2 gravity, float h, BounceBy bounces, std::vector<ContactBlock>& blocks,
                       std::vector<ContactExtras>& extras, Crew& crew);
 
 // Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the

@@ -80,7 +80,7 @@ TUMBLE_LANE_FUNCTION CenterOffsets fill_masses(ContactBlock& block, const LaneSo
     return {a[2], a[3], b[2], b[3]};
 }
 
-TUMBLE_LANE_FUNCTION void fill_materials(ContactBlock& block, const LaneSources& sources) {
+TUMBLE_LANE_FUNCTION void fill_materials(ContactBlock& block, const LaneSources& sources, BounceBy bounces) {
     constexpr std::size_t kFirst = offsetof(Contact, speculative_distance);
     static_assert(offsetof(Contact, radius_a) == kFirst + 4 && offsetof(Contact, tangent_speed) == kFirst + 24);
     Lanes material[8];
@@ -88,7 +88,7 @@ TUMBLE_LANE_FUNCTION void fill_materials(ContactBlock& block, const LaneSources&
     const Lanes zero = Lanes::Zero();
     block.friction = material[3];
     block.has_radius = any_less(zero, material[1]) || any_less(zero, material[2]);
-    block.has_restitution = any_less(zero, material[4]);
+    block.has_restitution = bounces == BounceBy::solver && any_less(zero, material[4]);
     block.has_rolling_resistance = any_less(zero, material[5]);
     block.has_tangent_speed = any_less(zero, material[6].abs());
     if (block.has_radius) {
@@ -238,10 +238,11 @@ void fill_locked_masses(ContactBlock& block, int lane, const BodyFrame& a, const
     locked.least_response[lane] = has_lock ? kDeadPoint * (a.inv_mass + b.inv_mass) : 0.0f;
 }
 
-TUMBLE_LANE_KERNEL void fill_block(ContactBlock& block, const LaneSources& sources, const ContactSoftness& softness) {
+TUMBLE_LANE_KERNEL void fill_block(ContactBlock& block, const LaneSources& sources, const ContactSoftness& softness,
+                                   BounceBy bounces) {
     fill_bodies(block, sources);
     const CenterOffsets centers = fill_masses(block, sources);
-    fill_materials(block, sources);
+    fill_materials(block, sources, bounces);
     fill_points(block, sources, centers);
     if (block.has_locks)
         for (int lane = 0; lane < kLaneCount; ++lane)
@@ -297,7 +298,7 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
 }  // namespace
 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks,
+                      const Tuning& tuning, Vec2 gravity, float h, BounceBy bounces, std::vector<ContactBlock>& blocks,
                       std::vector<ContactExtras>& extras, Crew& crew) {
     TUMBLE_CHECK(h > 0.0f);
     blocks.resize(graph.block_count());
@@ -308,7 +309,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1), 3);
         ContactBlock& block = blocks[index];
         block.extras = &extras[index];
-        fill_block(block, find_sources(graph.block(index), contacts, bodies), softness);
+        fill_block(block, find_sources(graph.block(index), contacts, bodies), softness, bounces);
         if (block.has_restitution) set_approaches(block, bodies, gravity, h);
     });
 }

@@ -15,6 +15,7 @@ namespace tumble {
 struct ContactBlock;
 struct ContactExtras;
 enum class FrictionBound : std::uint8_t;
+enum class BounceBy : std::uint8_t;
 
 class ContactSolver {
 public:
@@ -25,14 +26,14 @@ public:
 
     // Once a step, with poses and velocities of its start. `h` is the length of a sub-step, s.
     void prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning, Vec2 gravity,
-                 float h, Crew& crew);
+                 float h, BounceBy bounces, Crew& crew);
 
     // In each sub-step, in this order: see contact_block.hpp.
     void warm_start(std::span<SolverBody> bodies, Crew& crew);
     void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew);
     void relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew);
 
-    // After the last sub-step.
+    // After the last sub-step; with BounceBy::solver.
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew);
     void store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const;
 
