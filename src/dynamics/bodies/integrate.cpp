@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "debug/check.hpp"
-#include "simd/transpose.hpp"
+#include "dynamics/bodies/body_lanes.hpp"
 
 namespace tumble {
 
@@ -23,8 +23,8 @@ float spin_limit_within_step(const SolverBody& body, const BodyStore& bodies, st
     return is_joined ? spin_limit(body, limits) : limits.fast_spin;
 }
 
-// Few bodies are that fast, and all are asked twice in a sub-step. NaN exceeds nothing: clamp_speed() does
-// not change it.
+// Few bodies are that fast, and all are asked twice in a sub-step. NaN exceeds nothing: clamp_speed() does not
+// change it.
 bool exceeds_limits(const SolverBody& body, const SpeedLimits& limits) {
     return length_sq(body.velocity) > limits.speed * limits.speed || std::abs(body.angular_velocity) > limits.spin;
 }
@@ -72,13 +72,6 @@ struct LaneTurn {
     Lanes c, s;
 };
 
-// Eight bodies one after the other in memory, as lanes: the members of SolverBody.
-struct EightBodies {
-    Lanes velocity_x, velocity_y, angular_velocity, flags;
-    Lanes delta_x, delta_y;
-    LaneTurn turn;
-};
-
 // Eight floats of each of eight records that follow one another.
 template <class Record>
 TUMBLE_LANE_FUNCTION void gather_from(const Record* first, std::size_t offset, Lanes fields[8]) {
@@ -87,13 +80,13 @@ TUMBLE_LANE_FUNCTION void gather_from(const Record* first, std::size_t offset, L
     gather_members(records, offset, fields);
 }
 
-TUMBLE_LANE_FUNCTION EightBodies load(const SolverBody* bodies) {
-    Lanes f[8];
-    gather_from(bodies, 0, f);
-    return {f[0], f[1], f[2], f[3], f[4], f[5], {f[6], f[7]}};
+TUMBLE_LANE_FUNCTION BodyLanes load(const SolverBody* first) {
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &first[lane].velocity.x;
+    return gather_bodies(rows);
 }
 
-TUMBLE_LANE_FUNCTION bool any_exceeds_limits(const EightBodies& bodies, const SpeedLimits& limits) {
+TUMBLE_LANE_FUNCTION bool any_exceeds_limits(const BodyLanes& bodies, const SpeedLimits& limits) {
     const Lanes speed_sq = bodies.velocity_x * bodies.velocity_x + bodies.velocity_y * bodies.velocity_y;
     return any_less(Lanes::Constant(limits.speed * limits.speed), speed_sq) ||
            any_less(Lanes::Constant(limits.spin), bodies.angular_velocity.abs());
@@ -117,7 +110,7 @@ bool are_free(const SolverBody* bodies) {
     Lanes motion[8], forces[8];
     gather_from(moving, kMotion, motion);
     gather_from(moving, kForces, forces);
-    EightBodies eight = load(bodies);
+    BodyLanes eight = load(bodies);
     const Lanes acceleration_x = motion[0] * gravity.x + forces[5], acceleration_y = motion[0] * gravity.y + forces[6];
     accelerate(eight.velocity_x, acceleration_x, motion[1], h);
     accelerate(eight.velocity_y, acceleration_y, motion[1], h);
@@ -133,10 +126,11 @@ bool are_free(const SolverBody* bodies) {
 // does nothing, if one exceeds the limits.
 [[gnu::noinline]] TUMBLE_LANE_KERNEL bool integrate_eight_positions(SolverBody* bodies, float h,
                                                                     const SpeedLimits& limits) {
-    EightBodies eight = load(bodies);
+    BodyLanes eight = load(bodies);
     if (any_exceeds_limits(eight, limits)) return false;
-    advance(eight.delta_x, eight.delta_y, eight.turn, eight.velocity_x, eight.velocity_y, eight.angular_velocity, h);
-    const Lanes fields[4] = {eight.delta_x, eight.delta_y, eight.turn.c, eight.turn.s};
+    LaneTurn turn{eight.delta_c, eight.delta_s};
+    advance(eight.delta_x, eight.delta_y, turn, eight.velocity_x, eight.velocity_y, eight.angular_velocity, h);
+    const Lanes fields[4] = {eight.delta_x, eight.delta_y, turn.c, turn.s};
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[lane].delta_position.x;
     scatter_rows(fields, rows);

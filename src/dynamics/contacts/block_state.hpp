@@ -7,26 +7,19 @@
 #pragma once
 
 #include "debug/check.hpp"
+#include "dynamics/bodies/body_lanes.hpp"
 #include "dynamics/contacts/contact_block.hpp"
-#include "simd/transpose.hpp"
 
 namespace tumble {
 
 // The bodies A, or the bodies B, of a block.
-struct BodyLanes {
-    Lanes velocity_x, velocity_y, angular_velocity, flags;
-    Lanes delta_x, delta_y, delta_c, delta_s;
-};
-
 TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const BodyRow body[kLaneCount]) {
     const float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) {
         TUMBLE_CHECK(body[lane].index() < bodies.size());
         rows[lane] = reinterpret_cast<const float*>(bodies.data()) + body[lane].position;
     }
-    Lanes f[8];
-    gather_rows(rows, f);
-    return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
+    return gather_bodies(rows);
 }
 
 // scatter_velocities() for a block that can move some of the bodies only, which is rare.

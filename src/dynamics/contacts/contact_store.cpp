@@ -43,9 +43,8 @@ const Contact* ContactStore::find_in_woken(ProxyPair pair, std::span<const std::
     return nullptr;
 }
 
-// Plans kept_, places_ and new_size_.
 template <class PairOf>
-void ContactStore::find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of) {
+std::size_t ContactStore::find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of) {
     kept_.clear();
     places_.clear();
     const Contact* const all = contacts_.data();
@@ -72,7 +71,7 @@ void ContactStore::find_places(const ChunkLists<std::uint32_t>& ended, std::size
     });
     insert_before(contacts_.size());
     keep_up_to(contacts_.size());
-    new_size_ = to;
+    return to;
 }
 
 // Runs that move to smaller indices first, in order, then the others from the back: none is written over before it has
@@ -91,13 +90,13 @@ void ContactStore::move_kept() {
 template <class PairOf, class Make>
 void ContactStore::rearrange(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf&& pair_of, Make&& make) {
     if (count == 0 && ended.empty()) return;
-    find_places(ended, count, pair_of);
-    if (new_size_ > contacts_.capacity())
+    const std::size_t new_size = find_places(ended, count, pair_of);
+    if (new_size > contacts_.capacity())
         // The first reservation has little spare room, as contacts are large, and in most worlds few are added later.
-        contacts_.reserve(std::max(new_size_ + new_size_ / 8, contacts_.capacity() + contacts_.capacity() / 2));
-    contacts_.resize(std::max(new_size_, contacts_.size()));
+        contacts_.reserve(std::max(new_size + new_size / 8, contacts_.capacity() + contacts_.capacity() / 2));
+    contacts_.resize(std::max(new_size, contacts_.size()));
     move_kept();
-    contacts_.resize(new_size_);
+    contacts_.resize(new_size);
     for (std::size_t i = count; i-- > 0;) contacts_[places_[i]] = make(i);
 }
 

@@ -87,8 +87,9 @@ private:
     // contact of that pair: called once for each i, in descending order, on which the draws of colours depend.
     template <class PairOf, class Make>
     void rearrange(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf&& pair_of, Make&& make);
+    // Plans kept_ and places_; returns the new number of contacts.
     template <class PairOf>
-    void find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of);
+    std::size_t find_places(const ChunkLists<std::uint32_t>& ended, std::size_t count, PairOf& pair_of);
     void move_kept();
 
     // Contacts that stay next to each other: their indices before and after.
@@ -100,7 +101,6 @@ private:
     std::vector<Contact> woken_;       // in order of waking, or of beginning in add_to_woken()
     std::vector<KeptRun> kept_;        // of the last rearrange()
     std::vector<std::size_t> places_;  // of the contacts that it inserted
-    std::size_t new_size_ = 0;
 };
 
 template <class Keep>

@@ -106,7 +106,7 @@ struct StepScratch {
     // Constraints.
     ContactSolver contact_solver;
     JointSystem joint_system;
-    std::vector<GroundContact> ground_contacts;  // of seams
+    std::vector<GroundContact> ground_contacts;  // found by smooth_seams(), and read by keep_out_of_immovable()
 
     // Falling asleep.
     IslandFinder islands;
