@@ -183,7 +183,8 @@ void add_random_body(BodyStore& bodies, unsigned number) {
     def.angular_damping = random() % 2 == 0 ? 0.7f : 0.0f;
     def.velocity = {value(10.0f), value(random() % 32 == 0 ? 1000.0f : 10.0f)};
     def.angular_velocity = value(random() % 32 == 0 ? 2000.0f : 10.0f);
-    bodies.set_mass(bodies.create(def), BodyMass{2.0f, {}, 3.0f}, 1.0f, 1.0f);
+    const BodyMass mass = def.type == BodyType::dynamic_body ? BodyMass{2.0f, {}, 3.0f} : BodyMass{};
+    bodies.set_mass(bodies.create(def), mass, 1.0f, 1.0f);
     bodies.moving.back().acceleration = {value(5.0f), value(5.0f)};
     bodies.moving.back().angular_acceleration = value(5.0f);
 }
