@@ -72,7 +72,7 @@ struct Tangle : SolverParts {
             contacts.push_back(make_touching(a, b, {turn.c, turn.s}, arm_a, arm_b, 0.01f * value(random)));
             contacts.back().skipped_colors = static_cast<std::uint8_t>(i % 4);
         }
-        graph.build(contacts, bodies);
+        graph.build(contacts, bodies, crew);
         prepare_contacts(contacts, bodies, graph, {}, {}, kH, BounceBy::solver, blocks, extras, crew);
     }
 };
@@ -94,7 +94,7 @@ SolverParts make_ball_on_ground(float separation, float speed = 0.0f, float impu
     made.bodies.solver_bodies[1].velocity = {0.0f, speed};
     made.contacts.push_back(make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, separation));
     made.contacts[0].impulses[0].normal = impulse;
-    made.graph.build(made.contacts, made.bodies);
+    made.graph.build(made.contacts, made.bodies, crew);
     prepare_contacts(made.contacts, made.bodies, made.graph, {}, {}, kH, BounceBy::solver, made.blocks, made.extras,
                      crew);
     REQUIRE(made.blocks.size() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("a contact skips free colours, but never the last one") {
     for (std::size_t i = 1; i < 4; ++i) contacts.push_back(make_touching(ids[0], ids[i], {0.0f, 1.0f}, {}, {}, 0.0f));
     contacts[0].skipped_colors = 2;  // the third colour; the next two have the first and the second
     ConstraintGraph graph;
-    graph.build(contacts, bodies);
+    graph.build(contacts, bodies, crew);
     REQUIRE(graph.block_count() == 3);
     CHECK(graph.block(0)[0] == 1);
     CHECK(graph.block(1)[0] == 2);
@@ -141,8 +141,56 @@ TEST_CASE("a contact skips free colours, but never the last one") {
         contacts.push_back(make_touching(ids[0], spoke, {0.0f, 1.0f}, {}, {}, 0.0f));
         contacts.back().skipped_colors = 3;
     }
-    graph.build(contacts, bodies);
+    graph.build(contacts, bodies, crew);
     CHECK(graph.color_count() == kDynamicColors);
+}
+
+// A graph keeps its colours while contacts and bodies stay the same: after each change it has those of a new one.
+TEST_CASE("the colours follow each change of contacts and bodies") {
+    Tangle tangle(5, 12, 40);
+    std::vector<Contact>& contacts = tangle.contacts;
+    BodyStore& bodies = tangle.bodies;
+    const auto check_colors = [&] {
+        ConstraintGraph fresh;
+        fresh.build(contacts, bodies, crew);
+        for (int repeat = 0; repeat < 2; ++repeat) {
+            tangle.graph.build(contacts, bodies, crew);
+            REQUIRE(tangle.graph.block_count() == fresh.block_count());
+            CHECK(tangle.graph.color_count() == fresh.color_count());
+            for (std::size_t i = 0; i < fresh.block_count(); ++i)
+                CHECK(std::ranges::equal(tangle.graph.block(i), fresh.block(i)));
+            for (std::uint32_t body = 1; body < bodies.solver_bodies.size(); ++body)
+                CHECK(tangle.graph.has_contact(body) == fresh.has_contact(body));
+        }
+    };
+    check_colors();
+    contacts[3].is_bouncing = true;
+    check_colors();
+    contacts[3].is_bouncing = false;
+    contacts[7].manifold.point_count = 0;
+    check_colors();
+    contacts[9].skipped_colors ^= 3;
+    check_colors();
+    std::swap(contacts[1], contacts[12]);
+    check_colors();
+    std::swap(contacts[2].body_b, contacts[5].body_b);
+    check_colors();
+    contacts.pop_back();
+    check_colors();
+    // Kinematic bodies and static ones have other colours than dynamic ones.
+    bodies.set_type(contacts[0].body_a, BodyType::kinematic_body);
+    bodies.set_type(contacts[0].body_b, BodyType::dynamic_body);
+    check_colors();
+    // The last solver body takes the place of one that leaves.
+    const std::uint32_t leaving = bodies.moving[1].body;
+    std::erase_if(contacts, [&](const Contact& of) { return of.body_a == leaving || of.body_b == leaving; });
+    check_colors();
+    bodies.put_to_sleep(leaving);
+    check_colors();
+    bodies.wake(leaving);
+    check_colors();
+    contacts.clear();
+    check_colors();
 }
 
 // Each number is drawn by a quarter of the contacts: 2500 of 10 000, with a deviation of sqrt(10 000 * 3 / 16) = 43.
@@ -179,7 +227,7 @@ TEST_CASE("contacts without a colour are solved in blocks of their own") {
         contacts.push_back(make_touching(hub, spoke, {0.0f, 1.0f}, {}, {}, 0.0f));
     }
     ConstraintGraph graph;
-    graph.build(contacts, bodies);
+    graph.build(contacts, bodies, crew);
     CHECK(graph.color_count() == kDynamicColors);
     CHECK(graph.block_count() == 30);  // 16 blocks of one lane by colour, 14 without
     for (std::size_t i = 0; i < graph.block_count(); ++i)
@@ -262,7 +310,7 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     contact.manifold.points[1] = {{0.5f, 0.0f}, {0.5f, -0.5f}, 0.0f, 1};
     const std::vector<Contact> contacts{contact};
     ConstraintGraph graph;
-    graph.build(contacts, bodies);
+    graph.build(contacts, bodies, crew);
     std::vector<ContactBlock> blocks;
     std::vector<ContactExtras> extras;
     prepare_contacts(contacts, bodies, graph, {}, {}, kH, BounceBy::solver, blocks, extras, crew);

@@ -1,6 +1,7 @@
 #include "dynamics/contacts/constraint_graph.hpp"
 
 #include <array>
+#include <atomic>
 #include <bit>
 
 #include "debug/check.hpp"
@@ -12,11 +13,58 @@ namespace {
 constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
 constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicColors;
 
+// Sets a value. Returns true if it was another one.
+template <class T>
+bool update(T& value, const T& now) {
+    const bool changes = value != now;
+    value = now;
+    return changes;
+}
+
 }  // namespace
+
+bool ConstraintGraph::update_candidates(std::span<const Contact> contacts, Crew& crew) {
+    constexpr std::size_t kLeastUpdated = 1024;  // in a chunk: about 3 us of work
+    std::atomic<bool> has_changed = candidates_.size() != contacts.size();
+    candidates_.resize(contacts.size());
+    crew.for_each_chunk(contacts.size(), kLeastUpdated, [&](const Chunk& chunk) {
+        bool changes = false;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            const Contact& contact = contacts[i];
+            prefetch_after(contacts, i, 1);
+            const bool is_solved = contact.manifold.point_count > 0 && !contact.is_bouncing;
+            const std::uint32_t skips = is_solved ? contact.skipped_colors : Candidate::kNotSolved;
+            changes |= update(candidates_[i], {contact.body_a, contact.body_b, skips});
+        }
+        if (changes) has_changed.store(true, std::memory_order_relaxed);
+    });
+    return has_changed;
+}
+
+bool ConstraintGraph::update_movers(const BodyStore& bodies) {
+    bool changes = movers_.size() != bodies.moving.size();
+    movers_.resize(bodies.moving.size());
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        const bool is_dynamic = bodies.solver_bodies[i].flags & kDynamicBody;
+        changes |= update(movers_[i], {bodies.moving[i].body, is_dynamic});
+    }
+    return changes;
+}
+
+// Without a branch: which contacts are solved has no pattern that a processor foretells.
+void ConstraintGraph::find_solved() {
+    solved_.resize(candidates_.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        solved_[count] = static_cast<std::uint32_t>(i);
+        count += candidates_[i].is_solved();
+    }
+    solved_.resize(count);
+}
 
 // The lowest colour that neither dynamic body has, after those that the contact skips. Static and kinematic bodies may
 // have several contacts of a colour.
-std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodyStore& bodies) {
+std::uint8_t ConstraintGraph::choose_color(const Candidate& contact, const BodyStore& bodies) {
     const bool dynamic_a = bodies.is_dynamic(contact.body_a), dynamic_b = bodies.is_dynamic(contact.body_b);
     TUMBLE_CHECK((dynamic_a || dynamic_b));
     TUMBLE_CHECK((!dynamic_a || bodies.frames[contact.body_a].solver_body != kStaticSolverBody));
@@ -34,22 +82,20 @@ std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodySto
     return static_cast<std::uint8_t>(color);
 }
 
-void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies) {
+void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew) {
+    const bool others_touch = update_candidates(contacts, crew), others_move = update_movers(bodies);
+    if (!others_touch && !others_move) return;
+    find_solved();
     used_colors_.assign(bodies.solver_bodies.size(), 0);
-    contact_colors_.resize(contacts.size());
+    contact_colors_.resize(solved_.size());
     std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour
-    bool has_touching = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        prefetch_after(contacts, i, 1);
-        const bool touching = contacts[i].manifold.point_count > 0 && !contacts[i].is_bouncing;
-        contact_colors_[i] = touching ? choose_color(contacts[i], bodies) : kNotTouching;
-        if (touching) ++count[contact_colors_[i]];
-        has_touching |= touching;
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
+        contact_colors_[i] = choose_color(candidates_[solved_[i]], bodies);
+        ++count[contact_colors_[i]];
     }
     color_count_ = 0;
     colors_.clear();
     lanes_.clear();
-    if (!has_touching) return;
 
     // The first lane of each colour. Contacts without a colour come first, with a block for each.
     std::array<std::uint32_t, kColors> next{};
@@ -64,16 +110,15 @@ void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& 
     TUMBLE_CHECK(end % kLaneCount == 0u);
     lanes_.assign(end, kNoContact);
     std::uint32_t next_alone = 0;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
         const std::uint8_t color = contact_colors_[i];
-        if (color == kNotTouching) continue;
         if (color == kNoColor) {
             TUMBLE_CHECK(next_alone < count[kNoColor] * kLaneCount);
-            lanes_[next_alone] = static_cast<std::uint32_t>(i);
+            lanes_[next_alone] = solved_[i];
             next_alone += kLaneCount;
         } else {
             TUMBLE_CHECK(next[color] < end);
-            lanes_[next[color]++] = static_cast<std::uint32_t>(i);
+            lanes_[next[color]++] = solved_[i];
         }
     }
 }

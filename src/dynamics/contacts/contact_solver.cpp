@@ -47,7 +47,7 @@ void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
 
 void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
                             Vec2 gravity, float h, BounceBy bounces, Crew& crew) {
-    graph_.build(contacts, bodies);
+    graph_.build(contacts, bodies, crew);
     prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, bounces, blocks_, extras_, crew);
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
