@@ -1,6 +1,7 @@
 #include "dynamics/collision.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "debug/check.hpp"
@@ -21,33 +22,46 @@ StepAhead step_ahead(const Simulation& simulation) {
     return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
 }
 
-void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
+// Collides up to eight solid contacts of an array. `newcomers` gets the indices of those that leave
+// ChainState::apart.
+void collide_eight(const Simulation& simulation, std::span<Contact* const> eight, const Contact* array,
+                   CollisionCounts& counts, std::vector<std::uint32_t>& newcomers) {
+    if (eight.empty()) return;
+    unsigned apart = 0;
+    for (std::size_t i = 0; i < eight.size(); ++i)
+        apart |= static_cast<unsigned>(eight[i]->chain_state == ChainState::apart) << i;
     const StepAhead ahead = step_ahead(simulation);
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
-    if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
-    counts.crossings += contact.chain_state == ChainState::crossing;
-    ++counts.pairs;
-    if (!in_full) return;
-    ++counts.full;
-    counts.iterations += contact.cache.iterations;
+    const unsigned in_full = collide_contacts(eight, simulation.bodies, simulation.shapes, ahead);
+    counts.pairs += static_cast<std::int64_t>(eight.size());
+    for (std::size_t i = 0; i < eight.size(); ++i) {
+        Contact& contact = *eight[i];
+        if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
+        counts.crossings += contact.chain_state == ChainState::crossing;
+        if (apart >> i & 1 && contact.chain_state != ChainState::apart)
+            newcomers.push_back(static_cast<std::uint32_t>(&contact - array));
+        if (!(in_full >> i & 1)) continue;
+        ++counts.full;
+        counts.iterations += contact.cache.iterations;
+    }
 }
 
 // Collides the solid contacts of an array from the index `first` on.
-void collide_contacts(Simulation& simulation, std::vector<Contact>& contacts, std::size_t first) {
+void collide_contacts_from(Simulation& simulation, std::vector<Contact>& contacts, std::size_t first) {
     Crew& crew = simulation.crew;
     ChunkScratch& scratch = simulation.scratch->chunks;
     const std::size_t count = contacts.size() - first;
     scratch.collision_counts.assign(crew.chunk_count(count, kLeastCollided), {});
     const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
         CollisionCounts own;
+        Contact* eight[kLaneCount];
+        std::size_t used = 0;
         for (std::size_t i = first + chunk.begin; i < first + chunk.end; ++i) {
-            Contact& contact = contacts[i];
-            if (contact.kind != ContactKind::solid) continue;
-            const bool was_apart = contact.chain_state == ChainState::apart;
-            collide_and_count(simulation, contact, own);
-            if (was_apart && contact.chain_state != ChainState::apart)
-                newcomers.push_back(static_cast<std::uint32_t>(i));
+            if (contacts[i].kind == ContactKind::solid) eight[used++] = &contacts[i];
+            if (used < std::size_t{kLaneCount}) continue;
+            collide_eight(simulation, eight, contacts.data(), own, newcomers);
+            used = 0;
         }
+        collide_eight(simulation, {eight, used}, contacts.data(), own, newcomers);
         scratch.collision_counts[chunk.index] = own;
     };
     scratch.found.fill_by_chunk(crew, count, kLeastCollided, collide_chunk);
@@ -169,7 +183,7 @@ void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
     simulation.scratch->ordered_impacts.bounces.has_candidates = false;
     simulation.scratch->chunks.woken_rounds.clear();
-    collide_contacts(simulation, simulation.contacts.all(), 0);
+    collide_contacts_from(simulation, simulation.contacts.all(), 0);
 }
 
 void collide_woken(Simulation& simulation) {
@@ -178,7 +192,7 @@ void collide_woken(Simulation& simulation) {
     bool any = wake_touched(simulation, simulation.contacts.all(), 0);
     for (std::size_t first = 0; any;) {
         start_woken_round(simulation, first);
-        collide_contacts(simulation, woken, first);
+        collide_contacts_from(simulation, woken, first);
         const std::size_t next = woken.size();
         any = wake_touched(simulation, woken, first);
         first = next;

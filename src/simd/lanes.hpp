@@ -1,13 +1,14 @@
 // Eight float lanes as an Eigen array, and the operations that Eigen does not compile to packed code.
 //
-// Sums, products, quotients and sqrt of whole arrays are packed on every instruction set and give the same bits on all
-// of them (no contraction, exact square root). `(a < b).select(x, y)` is not packed: use select_less(). `.max()` and
-// `.min()` of 0 and -0 differ between processors: use larger() and smaller(). Reductions (.sum(), .dot()) depend on the
-// width of a register and are forbidden in anything that reaches the state. Give every intermediate result its type:
-// `auto` would store an Eigen expression, which may outlive its operands.
+// Sums, products and quotients of whole arrays are packed on every instruction set and give the same bits on all of
+// them (no contraction). `(a < b).select(x, y)` is not packed, nor is `.sqrt()` with AVX-512: use select_less() and
+// square_root(). `.max()` and `.min()` of 0 and -0 differ between processors: use larger() and smaller(). Reductions
+// (.sum(), .dot()) depend on the width of a register and are forbidden in anything that reaches the state. Give every
+// intermediate result its type: `auto` would store an Eigen expression, which may outlive its operands.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstring>
 
 #include "simd/lane_count.hpp"
 #include "simd/lane_function.hpp"
@@ -35,6 +36,22 @@ TUMBLE_LANE_FUNCTION Lanes select_less(const Lanes& a, const Lanes& b, const Lan
                 pselect(mask, ploadu<simd::Packet>(x.data() + i), ploadu<simd::Packet>(y.data() + i)));
     }
     return result;
+}
+
+// Correctly rounded in every lane.
+TUMBLE_LANE_FUNCTION Lanes square_root(const Lanes& a) {
+    using namespace Eigen::internal;
+    Lanes result;
+    for (int i = 0; i < kLaneCount; i += simd::kPacketSize)
+        pstoreu(result.data() + i, psqrt(ploadu<simd::Packet>(a.data() + i)));
+    return result;
+}
+
+// The numbers of lanes whose bits are integers.
+TUMBLE_LANE_FUNCTION Lanes from_integers(const Lanes& bits) {
+    Eigen::Array<int, kLaneCount, 1> integers;
+    std::memcpy(integers.data(), bits.data(), sizeof integers);
+    return integers.cast<float>();
 }
 
 // True if a < b in any lane.

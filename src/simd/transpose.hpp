@@ -69,12 +69,17 @@ TUMBLE_LANE_FUNCTION void gather_members(const Record* const records[kLaneCount]
     gather_rows(rows, fields);
 }
 
-// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Rows may be the same
-// memory if they get equal values, or if nothing reads it.
-TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
+// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of each field. Rows may be the same memory
+// if they get equal values, or if nothing reads it.
+TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes& first, const Lanes& second, const Lanes& third, const Lanes& fourth,
+                                       float* const rows[kLaneCount]) {
+    using simd::Packet;
     for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
-        Eigen::internal::PacketBlock<simd::Packet, 4> tiles;
-        for (int i = 0; i < 4; ++i) tiles.packet[i] = Eigen::internal::ploadu<simd::Packet>(fields[i].data() + lane);
+        Eigen::internal::PacketBlock<Packet, 4> tiles;
+        tiles.packet[0] = Eigen::internal::ploadu<Packet>(first.data() + lane);
+        tiles.packet[1] = Eigen::internal::ploadu<Packet>(second.data() + lane);
+        tiles.packet[2] = Eigen::internal::ploadu<Packet>(third.data() + lane);
+        tiles.packet[3] = Eigen::internal::ploadu<Packet>(fourth.data() + lane);
         simd::transpose_tiles(tiles);
         for (int i = 0; i < 4; ++i) simd::store_fours(tiles.packet[i], rows + lane + i);
     }

@@ -1,4 +1,4 @@
-// Small parts of a step: softness, rotations, recycling, ids, integration.
+// Small parts of a step: softness, rotations, ids, integration.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/bodies/softness.hpp"
 #include "dynamics/bodies/solver_body.hpp"
-#include "dynamics/contacts/recycling.hpp"
 #include "dynamics/continuous/swept_pair.hpp"
 #include "support/near.hpp"
 
@@ -57,66 +56,6 @@ TEST_CASE("a contact begins at no less than the gap that gravity closes in a ste
     CHECK(near(tuning.contact_distance(0.1f), 0.01, kFloat));
     CHECK(make_tuning(1.0f, {0.0f, -10.0f}, 0.1f).contact_distance(0.002f) == 0.02f);
     CHECK(near(make_tuning(0.1f, {6.0f, -8.0f}, 0.1f).contact_distance(1e-4f), 0.002, kFloat));
-}
-
-TEST_CASE("a recycled manifold moves with the bodies") {
-    // Unit boxes, B on top of A, 1 mm apart; both anchors are in the middle of the gap.
-    ManifoldReference reference;
-    reference.manifold.normal = {0.0f, 1.0f};
-    reference.manifold.point_count = 1;
-    reference.manifold.points[0] = {{0.5f, 0.5005f}, {0.5f, -0.5005f}, 0.001f, 7};
-    reference.offset = {0.0, 1.001};
-    reference.is_valid = true;
-    const Pose a;
-
-    Pose b{{0.0, 1.0012}, {}};
-    Manifold manifold;
-    recycle(manifold, reference, motion_since(reference, a, b));
-    CHECK(near(manifold.points[0].separation, 0.0012, kFloat));
-    CHECK(manifold.points[0].feature == 7);
-
-    // B turns by 0.5 mrad about its centre: its anchor (0.5, -0.5005) rises by 0.5 sin + 0.5005 (1 - cos) of that. The
-    // anchors are floats of half a metre.
-    b = {{0.0, 1.001}, make_rotation(5e-4)};
-    recycle(manifold, reference, motion_since(reference, a, b));
-    CHECK(near(manifold.points[0].separation, 0.001 + 0.5 * std::sin(5e-4) + 0.5005 * (1.0 - std::cos(5e-4)),
-               absolute(1e-7)));
-
-    // Both turn and travel together, far: nothing has moved between them.
-    const Pose turn{{1000.0, -50.0}, make_rotation(1.0)};
-    const Pose moved_b{turn.position + rotate(turn.rotation, DVec2{0.0, 1.001}), turn.rotation};
-    const MotionSince motion = motion_since(reference, turn, moved_b);
-    CHECK(greatest_displacement(reference, motion, 0.7072f, 0.7072f) < 1e-6f);
-    recycle(manifold, reference, motion);
-    CHECK(near(manifold.points[0].separation, 0.001, absolute(1e-7)));
-    CHECK(near(manifold.normal.x, -std::sin(1.0), kFloat));
-
-    // What the manifold held before is gone.
-    reference.manifold.point_count = 0;
-    reference.manifold.points[0] = {};
-    recycle(manifold, reference, motion);
-    CHECK(manifold.point_count == 0);
-    CHECK(manifold.points[0].feature == 0);
-}
-
-TEST_CASE("the displacement since a reference bounds that of every point") {
-    ManifoldReference reference;
-    const auto displacement_to = [&](const Pose& b, float reach_a, float reach_b) {
-        return greatest_displacement(reference, motion_since(reference, {}, b), reach_a, reach_b);
-    };
-    CHECK(std::isinf(displacement_to({}, 1.0f, 1.0f)));
-    reference.is_valid = true;
-    CHECK(near(displacement_to({{0.0009, 0.0}, {}}, 1.0f, 1.0f), 0.0009, kFloat));
-    // A point at the reach moves along a chord. Half a turn has no sine, and is a large motion all the same.
-    for (const double turn : {0.001, 0.1, 1.0, 1.5}) {
-        const double chord = 2.0 * std::sin(0.5 * turn);
-        const double bound = displacement_to({{}, make_rotation(turn)}, 1.0f, 1.0f);
-        CHECK(bound >= chord * (1.0 - 1e-6));
-        CHECK(bound <= 1.05 * chord);
-    }
-    CHECK(std::isinf(displacement_to({{}, {-1.0f, 0.0f}}, 1.0f, 1.0f)));
-    // The smaller of the two reaches bounds the displacement by a rotation.
-    CHECK(near(displacement_to({{}, make_rotation(0.001)}, 1000.0f, 0.5f), 0.0005, relative(1e-5)));
 }
 
 TEST_CASE("an id pool uses an index again only when it is recycled") {

@@ -65,6 +65,16 @@ TEST_CASE("larger and smaller take the first of equal numbers and if one is NaN,
     CHECK(smaller(two, one)[3] == 1.0f);
 }
 
+TEST_CASE("square_root is that of each lane, correctly rounded") {
+    std::mt19937 random(3);
+    for (int round = 0; round < 50; ++round) {
+        const Lanes square = random_lanes(random).abs(), root = square_root(square);
+        for (int i = 0; i < kLaneCount; ++i) CHECK(bits(root[i]) == bits(std::sqrt(square[i])));
+    }
+    CHECK(square_root(Lanes::Zero())[4] == 0.0f);
+    CHECK(std::isnan(square_root(Lanes::Constant(-1.0f))[4]));
+}
+
 TEST_CASE("clamp_magnitude limits both signs") {
     std::mt19937 random(2);
     for (int round = 0; round < 50; ++round) {
@@ -93,7 +103,7 @@ TEST_CASE("rows that are gathered into lanes and scattered again keep their bits
     alignas(32) float copies[kLaneCount][8] = {};
     float* targets[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) targets[lane] = copies[order[lane]];
-    scatter_rows(fields, targets);
+    scatter_rows(fields[0], fields[1], fields[2], fields[3], targets);
     for (int row = 0; row < kLaneCount; ++row) {
         for (int field = 0; field < 4; ++field) CHECK(bits(copies[row][field]) == bits(records[row][field]));
         for (int field = 4; field < 8; ++field) CHECK(copies[row][field] == 0.0f);

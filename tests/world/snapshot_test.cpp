@@ -158,9 +158,9 @@ TEST_CASE("an incomplete, damaged or foreign snapshot throws") {
 TEST_CASE("a snapshot of another version is refused, and the error names both versions") {
     std::vector<std::byte> snapshot = saved_after(3, 10);
     snapshot[8] = std::byte{99};
-    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 99, this build reads version 12");
+    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 99, this build reads version 13");
     snapshot[8] = std::byte{11};
-    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 11, this build reads version 12");
+    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 11, this build reads version 13");
 }
 
 // After a change of the contents of snapshots, raise kVersion in snapshot.cpp and update the size here.

@@ -6,6 +6,11 @@
 
 namespace tumble {
 
+// Eight rotations.
+struct LaneTurn {
+    Lanes c, s;
+};
+
 struct BodyLanes {
     Lanes velocity_x, velocity_y, angular_velocity, flags;
     Lanes delta_x, delta_y, delta_c, delta_s;

@@ -68,10 +68,6 @@ void integrate_position(SolverBody& body, float h, const SpeedLimits& limits) {
             h);
 }
 
-struct LaneTurn {
-    Lanes c, s;
-};
-
 // Eight floats of each of eight records that follow one another.
 template <class Record>
 TUMBLE_LANE_FUNCTION void gather_from(const Record* first, std::size_t offset, Lanes fields[8]) {
@@ -115,10 +111,9 @@ bool are_free(const SolverBody* bodies) {
     accelerate(eight.velocity_x, acceleration_x, motion[1], h);
     accelerate(eight.velocity_y, acceleration_y, motion[1], h);
     accelerate(eight.angular_velocity, forces[7], motion[2], h);
-    const Lanes fields[4] = {eight.velocity_x, eight.velocity_y, eight.angular_velocity, eight.flags};
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[lane].velocity.x;
-    scatter_rows(fields, rows);
+    scatter_rows(eight.velocity_x, eight.velocity_y, eight.angular_velocity, eight.flags, rows);
     return any_exceeds_limits(eight, limits);
 }
 
@@ -130,10 +125,9 @@ bool are_free(const SolverBody* bodies) {
     if (any_exceeds_limits(eight, limits)) return false;
     LaneTurn turn{eight.delta_c, eight.delta_s};
     advance(eight.delta_x, eight.delta_y, turn, eight.velocity_x, eight.velocity_y, eight.angular_velocity, h);
-    const Lanes fields[4] = {eight.delta_x, eight.delta_y, turn.c, turn.s};
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[lane].delta_position.x;
-    scatter_rows(fields, rows);
+    scatter_rows(eight.delta_x, eight.delta_y, turn.c, turn.s, rows);
     return true;
 }
 

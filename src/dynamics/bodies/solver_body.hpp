@@ -55,8 +55,9 @@ constexpr Turn compose(const Turn& second, const Turn& first) {
     return {second.c * first.c - second.s * first.s, second.s * first.c + second.c * first.s};
 }
 
-// The rotation that leads from one orientation to another.
-constexpr Rotation rotation_between(Rotation from, Rotation to) {
+// The rotation that leads from one orientation to another: both Rotation, or lanes of sine and cosine.
+template <class Turn>
+constexpr Turn rotation_between(const Turn& from, const Turn& to) {
     return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};
 }
 

@@ -26,7 +26,7 @@ void agree(Contact& contact, ChainState neighbors) {
     contact.chain_state = neighbors;
     if (!begins_to_cross) return;
     remove_manifold(contact);
-    contact.reference.is_valid = false;  // or recycling would restore the manifold
+    contact.reference.invalidate();  // or recycling would restore the manifold
 }
 
 bool came_through(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Vec2 normal) {

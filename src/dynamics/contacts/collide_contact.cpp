@@ -8,6 +8,7 @@
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/shape_store.hpp"
 #include "dynamics/contacts/collide_posed.hpp"
+#include "dynamics/contacts/recycling.hpp"
 
 namespace tumble {
 
@@ -64,8 +65,10 @@ void update_touch(Contact& contact, const BodyStore& bodies, const StepAhead& st
     TUMBLE_CHECK(watched < contact.manifold.point_count);
     contact.watched = static_cast<std::int8_t>(watched);
     const ManifoldPoint& point = contact.manifold.points[watched];
-    contact.approach = {bodies.frames[contact.body_a].pose.position + DVec2(point.anchor_a), contact.manifold.normal,
-                        speed_at_impact(contact, point, bodies, step)};
+    // Member by member: a copy of a structure that was just built in parts waits for them.
+    contact.approach.point = bodies.frames[contact.body_a].pose.position + DVec2(point.anchor_a);
+    contact.approach.normal = contact.manifold.normal;
+    contact.approach.speed = speed_at_impact(contact, point, bodies, step);
 }
 
 void set_manifold(Contact& contact, const Manifold& manifold) {
@@ -83,11 +86,13 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     const float gap = is_with_chain ? 0.0f : std::max(contact.cache.distance - contact.speculative_distance, 0.0f);
     // Member by member, the manifold last: a copy of a structure that was just built in parts waits for them.
     ManifoldReference& reference = contact.reference;
+    reference.offset = b.world_from_body.position - a.world_from_body.position;
     reference.rotation_a = a.world_from_body.rotation;
     reference.rotation_b = b.world_from_body.rotation;
-    reference.offset = b.world_from_body.position - a.world_from_body.position;
+    reference.reach_a = a.record.reach;
+    reference.reach_b = b.record.reach;
     reference.gap = manifold.point_count > 0 ? 0.0f : gap;
-    reference.is_valid = true;
+    reference.tolerance = std::max(kRecyclingPart * contact.speculative_distance, reference.gap);
     reference.manifold = manifold;
 }
 
@@ -106,35 +111,41 @@ bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, floa
     const Manifold manifold = predict_manifold(contact, a, b, gap, bodies, step);
     if (manifold.point_count == 0) return false;
     set_manifold(contact, manifold);
-    contact.reference.is_valid = false;
+    contact.reference.invalidate();
     return true;
+}
+
+// Returns true if the manifold is not that of a recycled contact.
+bool collide_or_keep(Contact& contact, bool is_recycled, float moved, const BodyStore& bodies, const ShapeStore& shapes,
+                     const StepAhead& step) {
+    if (!is_recycled || step.predicts) {
+        const PosedShape a{shapes[contact.shapes.a], bodies.frames[contact.body_a].pose};
+        const PosedShape b{shapes[contact.shapes.b], bodies.frames[contact.body_b].pose};
+        const bool is_with_chain = a.record.link || b.record.link;
+        if (!is_recycled)
+            collide_in_full(contact, a, b,
+                            is_with_chain ? displacement_in_step(contact, bodies, step.duration) : Vec2{});
+        const float gap = contact.reference.gap - (is_recycled ? moved : 0.0f);
+        if (step.predicts && look_ahead(contact, a, b, gap, bodies, step)) is_recycled = false;
+    }
+    update_touch(contact, bodies, step);
+    contact.is_new = false;
+    return !is_recycled;
 }
 
 }  // namespace
 
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const StepAhead& step) {
-    TUMBLE_CHECK(contact.kind == ContactKind::solid);
-    const ShapeRecord& a = shapes[contact.shapes.a];
-    const ShapeRecord& b = shapes[contact.shapes.b];
-    const Pose& pose_a = bodies.frames[contact.body_a].pose;
-    const Pose& pose_b = bodies.frames[contact.body_b].pose;
-    const PosedShape posed_a{a, pose_a}, posed_b{b, pose_b};
-    const MotionSince motion = motion_since(contact.reference, pose_a, pose_b);
-    const float moved = greatest_displacement(contact.reference, motion, a.reach, b.reach);
-    const float tolerance = std::max(kRecyclingPart * contact.speculative_distance, contact.reference.gap);
-    const bool is_recycled = moved <= tolerance;
-    if (is_recycled) {
-        recycle(contact.manifold, contact.reference, motion);
-    } else {
-        const bool is_with_chain = a.link || b.link;
-        collide_in_full(contact, posed_a, posed_b,
-                        is_with_chain ? displacement_in_step(contact, bodies, step.duration) : Vec2{});
+unsigned collide_contacts(std::span<Contact* const> contacts, const BodyStore& bodies, const ShapeStore& shapes,
+                          const StepAhead& step) {
+    const Recycling recycling = recycle(contacts, bodies);
+    unsigned collided = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        TUMBLE_CHECK(contacts[i]->kind == ContactKind::solid);
+        const bool is_recycled = recycling.recycled >> i & 1;
+        const bool in_full = collide_or_keep(*contacts[i], is_recycled, recycling.moved[i], bodies, shapes, step);
+        collided |= static_cast<unsigned>(in_full) << i;
     }
-    const float gap = contact.reference.gap - (is_recycled ? moved : 0.0f);
-    const bool is_predicted = step.predicts && look_ahead(contact, posed_a, posed_b, gap, bodies, step);
-    update_touch(contact, bodies, step);
-    contact.is_new = false;
-    return !is_recycled || is_predicted;
+    return collided;
 }
 
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
@@ -149,7 +160,9 @@ void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& 
         return;
     const Manifold overlap =
         collide(shapes[contact.shapes.a].shape, a, shapes[contact.shapes.b].shape, b, 0.0, contact.cache);
-    reference = {{}, a.rotation, b.rotation, offset, false};
+    reference.offset = offset;
+    reference.rotation_a = a.rotation;
+    reference.rotation_b = b.rotation;
     contact.is_touching = overlap.point_count > 0;
     contact.is_new = false;
 }

@@ -1,5 +1,7 @@
-// The collision of one contact: its manifold in this step, and whether its shapes touch.
+// The collision of contacts: their manifolds in this step, and whether their shapes touch.
 #pragma once
+
+#include <span>
 
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/contacts/contact.hpp"
@@ -9,9 +11,11 @@ namespace tumble {
 
 class ShapeStore;
 
-// Updates the manifold of a solid contact from the poses and velocities of its bodies. A point keeps its impulses while
-// its feature stays the same. Returns false if the manifold was recycled.
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const StepAhead& step);
+// Updates the manifolds of up to eight solid contacts (at least one) from the poses and velocities of their bodies. A
+// point keeps its impulses while its feature stays the same. Returns a bit for each contact whose manifold was not
+// recycled.
+unsigned collide_contacts(std::span<Contact* const> contacts, const BodyStore& bodies, const ShapeStore& shapes,
+                          const StepAhead& step);
 
 // How fast the two shapes approach each other at a point of the contact's manifold, m/s; negative if they part.
 inline float approach_speed(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies) {

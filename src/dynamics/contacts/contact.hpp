@@ -8,7 +8,7 @@
 
 #include "broad/pair_set.hpp"
 #include "dynamics/contacts/chain_crossing.hpp"
-#include "dynamics/contacts/recycling.hpp"
+#include "dynamics/contacts/manifold_reference.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/manifold.hpp"
 

@@ -182,7 +182,7 @@ TUMBLE_LANE_FUNCTION void set_masses(ContactBlock& block) {
     const Lanes coupling =
         response(block, linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
     const Lanes product = first.inverse_mass * second.inverse_mass;
-    const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * product.sqrt());
+    const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * square_root(product));
     block.coupling = select_less(second.separation, absent, limited, zero);
     if (!block.has_rolling_resistance) return;
     const Lanes inertia = block.inv_inertia_a + block.inv_inertia_b;
@@ -267,10 +267,6 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
                                     std::span<Contact> contacts, std::span<SolverBody> bodies) {
     static_assert(sizeof(Contact::impulses) == 4 * sizeof(float) && sizeof(Contact::applied) == 4 * sizeof(float));
     const ContactBlockPoint &first = block.points[0], &second = block.points[1];
-    const Lanes impulses[4] = {first.normal_impulse, first.tangent_impulse, second.normal_impulse,
-                               second.tangent_impulse};
-    const Lanes applied[4] = {first.applied_normal, first.applied_tangent, second.applied_normal,
-                              second.applied_tangent};
     float unused[4];
     float* impulse_rows[kLaneCount];
     float* applied_rows[kLaneCount];
@@ -291,8 +287,10 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
         mark_pushed(bodies[block.body_a[lane].index()]);
         mark_pushed(bodies[block.body_b[lane].index()]);
     }
-    scatter_rows(impulses, impulse_rows);
-    scatter_rows(applied, applied_rows);
+    scatter_rows(first.normal_impulse, first.tangent_impulse, second.normal_impulse, second.tangent_impulse,
+                 impulse_rows);
+    scatter_rows(first.applied_normal, first.applied_tangent, second.applied_normal, second.applied_tangent,
+                 applied_rows);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, co
     const Lanes rebound = block.extras->restitution * approach;
     const Lanes separation = current_separation(block, point, shift, state);
     const Lanes speed_sq = larger(speed_sq_after(rebound, separation, block.extras->acceleration), zero);
-    const Lanes speed = speed_sq.sqrt() - 0.5f * h * block.extras->acceleration;
+    const Lanes speed = square_root(speed_sq) - 0.5f * h * block.extras->acceleration;
     const Lanes free_sq = speed_sq_after(approach, separation, block.extras->acceleration);
     return {happens, speed, select_less(zero, happens * free_sq, speed * speed / free_sq, zero)};
 }
@@ -47,7 +47,7 @@ TUMBLE_LANE_FUNCTION Lanes affordable_part(const ContactBlock& block, const Lane
     const Lanes linear = power(block, x1, x2, state);
     const Lanes square = x1 * x1 * block.points[0].inverse_mass + 2.0f * x1 * x2 * block.coupling +
                          x2 * x2 * block.points[1].inverse_mass;
-    const Lanes root = (linear * linear + 2.0f * square * larger(energy, zero)).sqrt();
+    const Lanes root = square_root(linear * linear + 2.0f * square * larger(energy, zero));
     return smaller(select_less(zero, square, larger(root - linear, zero) / square, one), one);
 }
 

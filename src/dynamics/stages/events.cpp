@@ -91,8 +91,9 @@ void begin_impacts(Simulation& simulation) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
         TUMBLE_CHECK(found->kind == ContactKind::solid);
-        collide_contact(*found, simulation.bodies, simulation.shapes,
-                        StepAhead{simulation.settings.duration, {}, {}, false});
+        Contact* const one[] = {found};
+        collide_contacts(one, simulation.bodies, simulation.shapes,
+                         StepAhead{simulation.settings.duration, {}, {}, false});
         found->is_touching = found->chain_state != ChainState::crossing;
     }
 }
@@ -133,7 +134,7 @@ void show_impact(Contact& contact, Impact& impact) {
     if (contact.manifold.point_count == 0 || !has_acted(contact)) {
         contact.manifold = impact.manifold;
         contact.impulses[0] = contact.impulses[1] = {};
-        contact.reference.is_valid = false;
+        contact.reference.invalidate();
     }
     add_impulses(contact, impact);
     contact.is_touching = true;

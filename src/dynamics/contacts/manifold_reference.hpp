@@ -1,0 +1,24 @@
+// What a manifold that moves with its shapes follows from.
+#pragma once
+
+#include "tumble/manifold.hpp"
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+// The result of a full collision, and the poses of the bodies' origins at that time.
+struct ManifoldReference {
+    DVec2 offset;  // of B's origin from A's, world axes, m
+    Manifold manifold;
+    Rotation rotation_a, rotation_b;
+    float reach_a = 0.0f;  // the distance of the shape's farthest point from its body's origin, m
+    float reach_b = 0.0f;
+    // How far the shapes may move relative to each other until the next full collision, m; negative if the next
+    // collision is a full one at any rate.
+    float tolerance = -1.0f;
+    float gap = 0.0f;  // without points: by how much the distance exceeds the speculative distance, m
+
+    void invalidate() { tolerance = -1.0f; }
+};
+
+}  // namespace tumble
