@@ -2,8 +2,8 @@
 //
 // World::step() works in memory of the world's own, which the world keeps for its next step. A program that steps
 // thousands of small worlds one after the other can lend them one StepMemory for each thread instead: a world is then
-// half as large, and more worlds stay in the cache. Nothing in it outlives a step, so that the results are the same,
-// and any worlds may use it in any order. Two steps must not use it at the same time.
+// half as large, and more worlds stay in the cache. Results do not depend on what it holds, so that any worlds may
+// use it in any order. Two steps must not use it at the same time.
 #pragma once
 
 #include <memory>

@@ -38,7 +38,8 @@ TUMBLE_LANE_FUNCTION Lanes select_less(const Lanes& a, const Lanes& b, const Lan
     return result;
 }
 
-// Correctly rounded in every lane.
+// Correctly rounded in every lane, as Eigen's approximations are off.
+static_assert(EIGEN_FAST_MATH == 0);
 TUMBLE_LANE_FUNCTION Lanes square_root(const Lanes& a) {
     using namespace Eigen::internal;
     Lanes result;
@@ -47,7 +48,7 @@ TUMBLE_LANE_FUNCTION Lanes square_root(const Lanes& a) {
     return result;
 }
 
-// The numbers of lanes whose bits are integers.
+// Converts lanes that hold the bits of integers to floats.
 TUMBLE_LANE_FUNCTION Lanes from_integers(const Lanes& bits) {
     Eigen::Array<int, kLaneCount, 1> integers;
     std::memcpy(integers.data(), bits.data(), sizeof integers);

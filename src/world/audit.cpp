@@ -96,6 +96,19 @@ void audit_joints(const Simulation& simulation) {
     ensure(listed == ends, "a body lists a destroyed joint", listed);
 }
 
+// What a valid reference copies from its shapes and its contact. The shapes must be live.
+void audit_reference(const Simulation& simulation, const Contact& contact, std::size_t i) {
+    const ManifoldReference& reference = contact.reference;
+    ensure(reference.manifold.point_count >= 0 && reference.manifold.point_count <= 2,
+           "the manifold of a reference has fewer than 0 or more than 2 points", i);
+    if (reference.tolerance < 0.0f) return;
+    ensure(reference.reach_a == simulation.shapes[contact.shapes.a].reach &&
+               reference.reach_b == simulation.shapes[contact.shapes.b].reach,
+           "the reaches of a reference are not those of its shapes", i);
+    ensure(reference.tolerance == std::max(kRecyclingPart * contact.speculative_distance, reference.gap),
+           "the tolerance of a reference is wrong", i);
+}
+
 void audit_islands(const Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     std::size_t listed = 0, count = 0, asleep_count = 0;
@@ -112,6 +125,7 @@ void audit_islands(const Simulation& simulation) {
                    "a sleeping contact has no body in its island", i);
             ensure(simulation.broad.has_pair(contact.shapes),
                    "the pair of a sleeping contact is not in the broad phase", i);
+            if (simulation.is_live(contact.shapes)) audit_reference(simulation, contact, i);
         }
     }
     ensure(count == simulation.sleeping.count(), "an island in use is empty", count);
@@ -146,6 +160,7 @@ void audit_contacts(const Simulation& simulation) {
                "a manifold has fewer than 0 or more than 2 points", i);
         for (int point = 0; point < contact.manifold.point_count; ++point)
             ensure(contact.impulses[point].normal >= 0.0f, "a contact has a negative normal impulse", i);
+        audit_reference(simulation, contact, i);
     }
     const std::size_t all = contacts.size() + simulation.contacts.woken().size() + simulation.sleeping.contact_count();
     ensure(simulation.broad.pair_count() == all, "the pairs of the broad phase and the contacts differ in number", all);

@@ -55,7 +55,7 @@ constexpr Turn compose(const Turn& second, const Turn& first) {
     return {second.c * first.c - second.s * first.s, second.s * first.c + second.c * first.s};
 }
 
-// The rotation that leads from one orientation to another: both Rotation, or lanes of sine and cosine.
+// The rotation that leads from one orientation to another: two Rotations, or two LaneTurns.
 template <class Turn>
 constexpr Turn rotation_between(const Turn& from, const Turn& to) {
     return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};

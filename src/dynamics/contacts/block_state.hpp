@@ -38,7 +38,7 @@ TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& lanes, std::span<S
                                              const BodyRow body[kLaneCount], std::uint8_t moved) {
     if (moved == 0) return;
     if (moved != kAllLanes) {
-        // A copy: lanes whose address is passed on are kept in memory, which takes 10 % more of the time to solve.
+        // A copy, so that the lanes stay in registers: passing their address makes the solver 10 % slower.
         const Lanes fields[4] = {lanes.velocity_x, lanes.velocity_y, lanes.angular_velocity, lanes.flags};
         return scatter_some(fields, bodies, body, moved);
     }

@@ -65,7 +65,7 @@ void update_touch(Contact& contact, const BodyStore& bodies, const StepAhead& st
     TUMBLE_CHECK(watched < contact.manifold.point_count);
     contact.watched = static_cast<std::int8_t>(watched);
     const ManifoldPoint& point = contact.manifold.points[watched];
-    // Member by member: a copy of a structure that was just built in parts waits for them.
+    // Member by member: copying a struct just after its members were written waits for those writes.
     contact.approach.point = bodies.frames[contact.body_a].pose.position + DVec2(point.anchor_a);
     contact.approach.normal = contact.manifold.normal;
     contact.approach.speed = speed_at_impact(contact, point, bodies, step);
@@ -84,7 +84,8 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     set_manifold(contact, manifold);
     const bool is_with_chain = a.record.link || b.record.link;
     const float gap = is_with_chain ? 0.0f : std::max(contact.cache.distance - contact.speculative_distance, 0.0f);
-    // Member by member, the manifold last: a copy of a structure that was just built in parts waits for them.
+    // Member by member, the manifold last: copying a struct just after its members were written waits for those
+    // writes.
     ManifoldReference& reference = contact.reference;
     reference.offset = b.world_from_body.position - a.world_from_body.position;
     reference.rotation_a = a.world_from_body.rotation;
@@ -115,7 +116,7 @@ bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, floa
     return true;
 }
 
-// Returns true if the manifold is not that of a recycled contact.
+// Returns true if the manifold was not recycled.
 bool collide_or_keep(Contact& contact, bool is_recycled, float moved, const BodyStore& bodies, const ShapeStore& shapes,
                      const StepAhead& step) {
     if (!is_recycled || step.predicts) {

@@ -1,8 +1,13 @@
 #include "dynamics/contacts/constraint_graph.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "debug/check.hpp"
 
@@ -13,7 +18,7 @@ namespace {
 constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
 constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicColors;
 
-// Sets a value. Returns true if it was another one.
+// Sets a value. Returns true if it changed.
 template <class T>
 bool update(T& value, const T& now) {
     const bool changes = value != now;
@@ -51,7 +56,7 @@ bool ConstraintGraph::update_movers(const BodyStore& bodies) {
     return changes;
 }
 
-// Without a branch: which contacts are solved has no pattern that a processor foretells.
+// Branch-free: the processor cannot predict which contacts are solved.
 void ConstraintGraph::find_solved() {
     solved_.resize(candidates_.size());
     std::size_t count = 0;
@@ -83,9 +88,26 @@ std::uint8_t ConstraintGraph::choose_color(const Candidate& contact, const BodyS
 }
 
 void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew) {
-    const bool others_touch = update_candidates(contacts, crew), others_move = update_movers(bodies);
-    if (!others_touch && !others_move) return;
-    find_solved();
+    const bool was_complete = std::exchange(is_complete_, false);
+    const bool contacts_changed = update_candidates(contacts, crew), bodies_changed = update_movers(bodies);
+    if (!was_complete || contacts_changed || bodies_changed) {
+        find_solved();
+        color(bodies);
+    }
+    is_complete_ = true;
+}
+
+void ConstraintGraph::audit() const {
+    std::vector<std::uint32_t> listed;
+    std::copy_if(lanes_.begin(), lanes_.end(), std::back_inserter(listed),
+                 [](std::uint32_t contact) { return contact != kNoContact; });
+    std::sort(listed.begin(), listed.end());
+    if (is_complete_ && listed != solved_)
+        throw std::logic_error("constraint graph: " + std::to_string(listed.size()) + " lanes for " +
+                               std::to_string(solved_.size()) + " contacts");
+}
+
+void ConstraintGraph::color(const BodyStore& bodies) {
     used_colors_.assign(bodies.solver_bodies.size(), 0);
     contact_colors_.resize(solved_.size());
     std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour

@@ -1,11 +1,10 @@
 // Colours of contacts: no two contacts of a colour share a dynamic body, so that solving eight of them side by side in
 // lanes gives the same result as one after the other.
 //
-// The colouring is greedy in the order of contacts. It follows from the contacts that are solved and their bodies
-// alone, and is kept while they stay the same, as they do in a pile at rest (which saves 4 % of the step there). A
-// contact between dynamic bodies skips 0 to 3 free colours, a number that it draws when it begins. Without it the order
-// of solving follows the order of the shapes: a pass carries impulses through a pile in one direction only, and large
-// piles take up to twice as long to fall asleep.
+// The colouring is greedy in the order of contacts. It depends only on the solved contacts and their bodies, and it
+// is kept until one of them changes. A contact between dynamic bodies skips 0 to 3 free colours, a number that it draws
+// when it begins. Without it the order of solving follows the order of the shapes: a pass carries impulses through a
+// pile in one direction only, and large piles take up to twice as long to fall asleep.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,7 @@ class ConstraintGraph {
 public:
     static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
-    // Groups the touching contacts into blocks of kLaneCount lanes.
+    // Groups the contacts that are solved into blocks of kLaneCount lanes: those with points that do not bounce.
     void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew);
 
     std::size_t block_count() const { return lanes_.size() / kLaneCount; }
@@ -54,6 +53,9 @@ public:
         return used_colors_[solver_body] != 0;
     }
 
+    // Throws std::logic_error if the lanes are not those of the solved contacts.
+    void audit() const;
+
     std::size_t bytes() const {
         return candidates_.capacity() * sizeof(Candidate) + movers_.capacity() * sizeof(Mover) +
                (used_colors_.capacity() + solved_.capacity()) * sizeof(std::uint32_t) + contact_colors_.capacity() +
@@ -64,15 +66,15 @@ private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
 
-    // What the colours follow from: of each contact, and of each solver body.
+    // The input of the colouring: one Candidate for each contact, one Mover for each solver body.
     struct Candidate {
         std::uint32_t body_a = 0;  // index
         std::uint32_t body_b = 0;
         std::uint32_t skipped_colors = kNotSolved;
 
-        static constexpr std::uint32_t kNotSolved = 0xff;
+        static constexpr std::uint32_t kNotSolved = 0xffffffffu;
         bool is_solved() const { return skipped_colors != kNotSolved; }
-        // Without a branch: in a scene whose contacts change, a branch for each member is foretold wrongly.
+        // Branch-free: where contacts change often, the processor mispredicts a branch for each member.
         friend bool operator!=(const Candidate& x, const Candidate& y) {
             return ((x.body_a ^ y.body_a) | (x.body_b ^ y.body_b) | (x.skipped_colors ^ y.skipped_colors)) != 0;
         }
@@ -84,11 +86,12 @@ private:
         friend bool operator==(const Mover&, const Mover&) = default;
     };
 
-    // Each returns false if nothing has changed since the last build().
+    // Each returns true if something has changed since the last call.
     bool update_candidates(std::span<const Contact> contacts, Crew& crew);
     bool update_movers(const BodyStore& bodies);
 
     void find_solved();
+    void color(const BodyStore& bodies);
     std::uint8_t choose_color(const Candidate& contact, const BodyStore& bodies);
 
     std::vector<Candidate> candidates_;         // by contact
@@ -99,6 +102,7 @@ private:
     std::vector<std::uint32_t> lanes_;          // index of a contact, or kNoContact
     std::vector<Color> colors_;
     int color_count_ = 0;
+    bool is_complete_ = false;  // false after an exception
 };
 
 }  // namespace tumble

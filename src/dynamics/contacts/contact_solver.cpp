@@ -87,6 +87,7 @@ std::size_t ContactSolver::bytes() const {
 }
 
 void ContactSolver::audit() const {
+    graph_.audit();
     if (blocks_.size() != graph_.block_count())
         throw std::logic_error("contact solver: " + std::to_string(blocks_.size()) + " blocks, but the graph has " +
                                std::to_string(graph_.block_count()));

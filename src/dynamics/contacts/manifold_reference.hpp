@@ -1,4 +1,4 @@
-// What a manifold that moves with its shapes follows from.
+// The last full collision, from which a manifold is recycled.
 #pragma once
 
 #include "tumble/manifold.hpp"
@@ -6,15 +6,16 @@
 
 namespace tumble {
 
-// The result of a full collision, and the poses of the bodies' origins at that time.
+// The result of a full collision, and the poses of the bodies' origins at that time. Contacts of sensors use only the
+// poses. A shape does not change while it lives, so that its reach stays right.
 struct ManifoldReference {
     DVec2 offset;  // of B's origin from A's, world axes, m
     Manifold manifold;
     Rotation rotation_a, rotation_b;
     float reach_a = 0.0f;  // the distance of the shape's farthest point from its body's origin, m
     float reach_b = 0.0f;
-    // How far the shapes may move relative to each other until the next full collision, m; negative if the next
-    // collision is a full one at any rate.
+    // How far the shapes may move relative to each other until the next full collision, m. Negative: the reference is
+    // not valid, and the next collision is full.
     float tolerance = -1.0f;
     float gap = 0.0f;  // without points: by how much the distance exceeds the speculative distance, m
 

@@ -26,7 +26,7 @@ struct ManifoldLanes {
     PointLanes points[2];
 };
 
-// The poses of a reference, and how far its manifold holds.
+// The poses of a reference, and the displacement up to which its manifold may be recycled.
 struct ReferenceLanes {
     LaneTurn rotation_a, rotation_b;
     Lanes reach_a, reach_b;
@@ -68,6 +68,7 @@ TUMBLE_LANE_FUNCTION ReferenceLanes gather_references(const Sources& sources) {
 
 TUMBLE_LANE_FUNCTION ManifoldLanes gather_manifolds(const Sources& sources) {
     constexpr std::size_t kFirst = offsetof(Contact, reference) + offsetof(ManifoldReference, manifold);
+    static_assert(offsetof(ManifoldReference, manifold) + 16 * sizeof(float) <= sizeof(ManifoldReference));
     static_assert(offsetof(Manifold, normal) == 4 && offsetof(Manifold, points) == 12 && sizeof(ManifoldPoint) == 24);
     Lanes first[8], second[8];
     gather_members(sources.contact, kFirst, first);
@@ -162,6 +163,8 @@ TUMBLE_LANE_FUNCTION void scatter_manifolds(const ManifoldLanes& moved, const So
         third[lane] = is_used ? &manifold.points[1].anchor_a.x : unused;
         if (!is_used) continue;
         const Manifold& from = sources.contact[lane]->reference.manifold;
+        TUMBLE_CHECK(from.point_count >= 0);
+        TUMBLE_CHECK(from.point_count <= 2);
         manifold.point_count = from.point_count;
         manifold.points[1].separation = moved.points[1].separation[lane];
         manifold.points[1].feature = from.points[1].feature;

@@ -19,7 +19,7 @@ struct Contact;
 struct Recycling {
     unsigned recycled = 0;  // a bit for each contact that has a recycled manifold now
     // How far a point of one shape has moved relative to the other since the reference, at most, m; infinite if they
-    // have turned by a quarter of a turn.
+    // have turned by a quarter of a turn. Without meaning if the reference is not valid.
     float moved[kLaneCount];
 };
 

@@ -1,5 +1,5 @@
-// Memory that the stages of a step work in. Nothing in it outlives the step: it is kept only so that the next step need
-// not allocate, and no snapshot contains it.
+// Memory that the stages of a step work in. No result depends on what a step leaves in it, and no snapshot contains it.
+// It is kept so that the next step need not allocate, nor colour the same contacts again.
 #pragma once
 
 #include <cstdint>
