@@ -73,8 +73,11 @@ public:
 
     std::size_t divide(std::size_t count, std::size_t least) const {
         if (!is_together_) return 1;
-        const std::size_t most = is_for_tests_ ? count : count / least;
-        return std::clamp(most, std::size_t{1}, kChunksOfThread * lines_.size());
+        const std::size_t most = is_for_tests_ ? count : count / least, threads = lines_.size();
+        if (most < threads) return std::max(most, std::size_t{1});
+        // As many for each thread: of three equal chunks, one of two threads would have two.
+        const std::size_t even = (most + threads - 1) / threads * threads;
+        return std::min({even, count, kChunksOfThread * threads});
     }
 
     void run(const std::function<void()>& work) {

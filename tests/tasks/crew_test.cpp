@@ -83,9 +83,25 @@ TEST_CASE("too little work stays on the calling thread, without a call of the ta
     crew.work_together(99, [&] { crew.for_each(99, 1, [&](std::size_t) { seen = std::this_thread::get_id(); }); });
     CHECK(calls == 0);
     CHECK(seen == std::this_thread::get_id());
-    crew.work_together(100, [&] { CHECK(crew.chunk_count(100, 10) == 10); });
+    crew.work_together(100, [&] { CHECK(crew.chunk_count(100, 10) == 12); });
     CHECK(calls == 1);
     CHECK(crew.chunk_count(100, 10) == 1);  // outside of work_together()
+}
+
+TEST_CASE("all threads get equally many chunks, none of which is too small") {
+    for (const std::size_t threads : {2u, 3u, 8u}) {
+        Crew crew({static_cast<int>(threads), run_backwards, 1});
+        crew.work_together(1, [&] {
+            for (std::size_t count = 0; count < 3000; ++count) {
+                const std::size_t least = 1 + count % 17, chunks = crew.chunk_count(count, least);
+                const bool is_even = chunks % threads == 0 || chunks < threads || chunks == count;
+                const bool is_large = chunks == 1 || 2 * count >= chunks * least;
+                const bool is_divided = chunks > 1 || count < 2 * least;
+                if (!is_even || !is_large || !is_divided || chunks > 8 * threads) FAIL(count << ": " << chunks);
+            }
+            CHECK(crew.chunk_count(3000, 1) == 8 * threads);
+        });
+    }
 }
 
 TEST_CASE("an exception in a chunk or between stages reaches the caller, and the crew goes on") {
