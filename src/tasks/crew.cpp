@@ -75,7 +75,7 @@ public:
         if (!is_together_) return 1;
         const std::size_t most = is_for_tests_ ? count : count / least, threads = lines_.size();
         if (most < threads) return std::max(most, std::size_t{1});
-        // As many for each thread: of three equal chunks, one of two threads would have two.
+        // Equally many for each thread: of three chunks, one of two threads would have two.
         const std::size_t even = (most + threads - 1) / threads * threads;
         return std::min({even, count, kChunksOfThread * threads});
     }

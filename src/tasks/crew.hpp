@@ -42,7 +42,8 @@ public:
     }
 
     // The number of chunks into which for_each_chunk() divides `count` items: one if it runs on this thread alone.
-    // Chunks are smaller than `least` items only if there is a single one.
+    // Several chunks have at least half of `least` items each. If there is one for each thread, all threads get equally
+    // many.
     std::size_t chunk_count(std::size_t count, std::size_t least) const {
         return team_ && count > 0 ? divide(count, least) : 1;
     }

@@ -108,40 +108,47 @@ void ConstraintGraph::audit() const {
 }
 
 void ConstraintGraph::color(const BodyStore& bodies) {
+    std::array<std::uint32_t, kNoGroup + 1> count{};  // contacts by group
     used_colors_.assign(bodies.solver_bodies.size(), 0);
-    contact_colors_.resize(solved_.size());
-    std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour
+    groups_.resize(solved_.size());
+    const std::uint64_t scale = (std::uint64_t{kParts} << 32) / bodies.solver_bodies.size();
     for (std::size_t i = 0; i < solved_.size(); ++i) {
-        contact_colors_[i] = choose_color(candidates_[solved_[i]], bodies);
-        ++count[contact_colors_[i]];
+        const Candidate& contact = candidates_[solved_[i]];
+        const std::uint32_t color = choose_color(contact, bodies);
+        const std::uint32_t body = bodies.is_dynamic(contact.body_a) ? contact.body_a : contact.body_b;
+        const std::uint32_t part = static_cast<std::uint32_t>(bodies.frames[body].solver_body * scale >> 32);
+        TUMBLE_CHECK(part < kParts);
+        groups_[i] = static_cast<std::uint16_t>(color == kNoColor ? kNoGroup : color * kParts + part);
+        ++count[groups_[i]];
     }
+    fill_lanes(count);
+}
+
+void ConstraintGraph::fill_lanes(std::span<const std::uint32_t, kNoGroup + 1> count) {
+    std::array<std::uint32_t, kNoGroup + 1> next{};  // the first lane of each group
     color_count_ = 0;
     colors_.clear();
     lanes_.clear();
-
-    // The first lane of each colour. Contacts without a colour come first, with a block for each.
-    std::array<std::uint32_t, kColors> next{};
-    std::uint32_t end = count[kNoColor] * kLaneCount;
+    // Contacts without a colour come first, with a block for each.
+    std::uint32_t end = count[kNoGroup] * kLaneCount;
     if (end > 0) colors_.push_back({0, end / kLaneCount, false});
     for (std::size_t color = 0; color < kColors; ++color) {
-        next[color] = end;
-        end += (count[color] + kLaneCount - 1) / kLaneCount * kLaneCount;
-        color_count_ += count[color] > 0;
-        if (count[color] > 0) colors_.push_back({next[color] / kLaneCount, end / kLaneCount});
-    }
-    TUMBLE_CHECK(end % kLaneCount == 0u);
-    lanes_.assign(end, kNoContact);
-    std::uint32_t next_alone = 0;
-    for (std::size_t i = 0; i < solved_.size(); ++i) {
-        const std::uint8_t color = contact_colors_[i];
-        if (color == kNoColor) {
-            TUMBLE_CHECK(next_alone < count[kNoColor] * kLaneCount);
-            lanes_[next_alone] = solved_[i];
-            next_alone += kLaneCount;
-        } else {
-            TUMBLE_CHECK(next[color] < end);
-            lanes_[next[color]++] = solved_[i];
+        const std::uint32_t begin = end;
+        for (std::size_t group = color * kParts; group < (color + 1) * kParts; ++group) {
+            next[group] = end;
+            end += count[group];
         }
+        if (end == begin) continue;
+        end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
+        colors_.push_back({begin / kLaneCount, end / kLaneCount});
+        ++color_count_;
+    }
+    lanes_.assign(end, kNoContact);
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
+        const std::uint16_t group = groups_[i];
+        TUMBLE_CHECK(next[group] < end);
+        lanes_[next[group]] = solved_[i];
+        next[group] += group == kNoGroup ? kLaneCount : 1;
     }
 }
 

@@ -58,13 +58,18 @@ public:
 
     std::size_t bytes() const {
         return candidates_.capacity() * sizeof(Candidate) + movers_.capacity() * sizeof(Mover) +
-               (used_colors_.capacity() + solved_.capacity()) * sizeof(std::uint32_t) + contact_colors_.capacity() +
-               lanes_.capacity() * sizeof(std::uint32_t) + colors_.capacity() * sizeof(Color);
+               (used_colors_.capacity() + solved_.capacity()) * sizeof(std::uint32_t) +
+               groups_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(std::uint32_t) +
+               colors_.capacity() * sizeof(Color);
     }
 
 private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
+    // Parts of the solver bodies. The contacts of a colour are in the order of these parts: a thread works on a part of
+    // each colour and of the bodies, and threads then share few bodies. On two threads, smash takes 4 % less.
+    static constexpr std::uint32_t kParts = 16;
+    static constexpr std::uint16_t kNoGroup = kColors * kParts;  // of contacts without a colour
 
     // The input of the colouring: one Candidate for each contact, one Mover for each solver body.
     struct Candidate {
@@ -92,14 +97,15 @@ private:
 
     void find_solved();
     void color(const BodyStore& bodies);
+    void fill_lanes(std::span<const std::uint32_t, kNoGroup + 1> count);  // contacts by group
     std::uint8_t choose_color(const Candidate& contact, const BodyStore& bodies);
 
-    std::vector<Candidate> candidates_;         // by contact
-    std::vector<Mover> movers_;                 // by solver body
-    std::vector<std::uint32_t> used_colors_;    // by solver body, a bit for each colour, and for kNoColor
-    std::vector<std::uint32_t> solved_;         // the contacts that are solved: indices
-    std::vector<std::uint8_t> contact_colors_;  // by position in solved_
-    std::vector<std::uint32_t> lanes_;          // index of a contact, or kNoContact
+    std::vector<Candidate> candidates_;       // by contact
+    std::vector<Mover> movers_;               // by solver body
+    std::vector<std::uint32_t> used_colors_;  // by solver body, a bit for each colour, and for kNoColor
+    std::vector<std::uint32_t> solved_;       // the contacts that are solved: indices
+    std::vector<std::uint16_t> groups_;       // by position in solved_: the colour and the part, or kNoGroup
+    std::vector<std::uint32_t> lanes_;        // index of a contact, or kNoContact
     std::vector<Color> colors_;
     int color_count_ = 0;
     bool is_complete_ = false;  // false after an exception
