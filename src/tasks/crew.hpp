@@ -42,8 +42,8 @@ public:
     }
 
     // The number of chunks into which for_each_chunk() divides `count` items: one if it runs on this thread alone.
-    // Several chunks have at least half of `least` items each. If there is one for each thread, all threads get equally
-    // many.
+    // On average, one of several chunks has more than half of `least` items, and each has at least one. If there are
+    // enough items, the number of chunks is a multiple of the number of threads, or less than that.
     std::size_t chunk_count(std::size_t count, std::size_t least) const {
         return team_ && count > 0 ? divide(count, least) : 1;
     }

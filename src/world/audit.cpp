@@ -96,7 +96,7 @@ void audit_joints(const Simulation& simulation) {
     ensure(listed == ends, "a body lists a destroyed joint", listed);
 }
 
-// What a valid reference copies from its shapes and its contact. The shapes must be live.
+// What a valid reference has from its shapes and its contact. The shapes must be live.
 void audit_reference(const Simulation& simulation, const Contact& contact, std::size_t i) {
     const ManifoldReference& reference = contact.reference;
     ensure(reference.manifold.point_count >= 0 && reference.manifold.point_count <= 2,
@@ -106,7 +106,7 @@ void audit_reference(const Simulation& simulation, const Contact& contact, std::
                reference.reach_b == simulation.shapes[contact.shapes.b].reach,
            "the reaches of a reference are not those of its shapes", i);
     ensure(reference.tolerance == std::max(kRecyclingPart * contact.speculative_distance, reference.gap),
-           "the tolerance of a reference is wrong", i);
+           "the tolerance of a reference is not that of its contact", i);
 }
 
 void audit_islands(const Simulation& simulation) {
@@ -121,6 +121,7 @@ void audit_islands(const Simulation& simulation) {
             ensure(bodies.records[body].island == i, "a body of an island names another island", body);
         for (const Contact& contact : island.contacts) {
             ensure(contact.manifold.point_count > 0, "a sleeping contact has no points", i);
+            ensure(contact.manifold.point_count <= 2, "a sleeping contact has more than 2 points", i);
             ensure(bodies.records[contact.body_a].island == i || bodies.records[contact.body_b].island == i,
                    "a sleeping contact has no body in its island", i);
             ensure(simulation.broad.has_pair(contact.shapes),

@@ -145,6 +145,30 @@ TEST_CASE("a contact skips free colours, but never the last one") {
     CHECK(graph.color_count() == kDynamicColors);
 }
 
+// A thread works on a part of each colour and of the solver bodies: it shall be the same part.
+TEST_CASE("the contacts of a colour are in the order of parts of the solver bodies") {
+    Tangle tangle(6, 64, 200);
+    std::ranges::reverse(tangle.contacts);
+    tangle.graph.build(tangle.contacts, tangle.bodies, crew);
+    std::set<std::size_t> parts;
+    for (const ConstraintGraph::Color& color : tangle.graph.colors()) {
+        std::size_t last = 0;
+        for (std::size_t block = color.begin; color.is_independent && block < color.end; ++block) {
+            for (const std::uint32_t index : tangle.graph.block(block)) {
+                if (index == ConstraintGraph::kNoContact) continue;
+                const Contact& contact = tangle.contacts[index];
+                const bool has_a = tangle.bodies.is_dynamic(contact.body_a);
+                const std::uint32_t body = tangle.bodies.frames[has_a ? contact.body_a : contact.body_b].solver_body;
+                const std::size_t part = 16 * body / tangle.bodies.solver_bodies.size();
+                CHECK(part >= last);
+                last = part;
+                parts.insert(part);
+            }
+        }
+    }
+    CHECK(parts.size() == 16);
+}
+
 // A graph keeps its colours while contacts and bodies stay the same: after each change it has those of a new one.
 TEST_CASE("the colours follow each change of contacts and bodies") {
     Tangle tangle(5, 12, 40);

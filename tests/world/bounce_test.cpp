@@ -95,6 +95,28 @@ TEST_CASE("a slow approach does not bounce") {
     }
 }
 
+TEST_CASE("a ball moves with the same bits beside balls of another restitution") {
+    const auto speeds_beside = [](float restitution, float rolling_resistance) {
+        World world({.impacts = ImpactModel::at_step_end});
+        add_floor(world);
+        const SurfaceMaterial other{.restitution = restitution, .rolling_resistance = rolling_resistance};
+        for (int i = 1; i < 8; ++i) add_dynamic(world, {3.0 * i, 1.7}, make_circle(0.5f), other);
+        const BodyId ball = add_dynamic(world, {0.0, 1.7}, make_circle(0.5f));
+        world.set_velocity(ball, {1.0f, 0.0f}, 0.0f);
+        std::vector<float> speeds;
+        for (int step = 0; step < 60; ++step) {
+            world.step();
+            speeds.push_back(world.state(ball).velocity.y);
+            speeds.push_back(world.state(ball).angular_velocity);
+        }
+        return speeds;
+    };
+    const std::vector<float> alone = speeds_beside(0.0f, 0.0f);
+    CHECK(*std::ranges::min_element(alone) < -4.0f);
+    CHECK(speeds_beside(0.8f, 0.0f) == alone);
+    CHECK(speeds_beside(0.0f, 0.1f) == alone);
+}
+
 TEST_CASE("equal balls that collide head-on exchange their velocities") {
     World world = weightless();
     const SurfaceMaterial bouncy{.restitution = 1.0f};

@@ -49,7 +49,7 @@ constexpr Vec2 scaled(Vec2 factors, Vec2 v) { return {factors.x * v.x, factors.y
 // The velocity of the point at the offset `arm` from the centre of mass (world axes, m).
 inline Vec2 velocity_at(const SolverBody& body, Vec2 arm) { return body.velocity + cross(body.angular_velocity, arm); }
 
-// The rotation by `first`, then by `second`: both Rotation, or lanes of sine and cosine.
+// The rotation by `first`, then by `second`: two Rotations, or two LaneTurns.
 template <class Turn>
 constexpr Turn compose(const Turn& second, const Turn& first) {
     return {second.c * first.c - second.s * first.s, second.s * first.c + second.c * first.s};

@@ -67,7 +67,7 @@ private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
     // Parts of the solver bodies. The contacts of a colour are in the order of these parts: a thread works on a part of
-    // each colour and of the bodies, and threads then share few bodies. On two threads, smash takes 4 % less.
+    // each colour and of the bodies, and threads then share few bodies. On two threads, a step of smash takes 4 % less.
     static constexpr std::uint32_t kParts = 16;
     static constexpr std::uint16_t kNoGroup = kColors * kParts;  // of contacts without a colour
 
@@ -108,7 +108,7 @@ private:
     std::vector<std::uint32_t> lanes_;        // index of a contact, or kNoContact
     std::vector<Color> colors_;
     int color_count_ = 0;
-    bool is_complete_ = false;  // false after an exception
+    bool is_complete_ = false;  // false before the first build(), and after an exception
 };
 
 }  // namespace tumble

@@ -281,7 +281,8 @@ TUMBLE_LANE_KERNEL void store_block(const ContactBlock& block, std::span<const s
         TUMBLE_CHECK(!(second.normal_impulse[lane] < 0.0f));
         const bool is_pushed = first.applied_normal[lane] > 0.0f || second.applied_normal[lane] > 0.0f;
         contacts[index].is_touching |= is_pushed;
-        if (block.has_rolling_resistance) contacts[index].rolling_impulse = block.extras->rolling_impulse[lane];
+        if (block.has_rolling_resistance && block.extras->rolling_resistance[lane] > 0.0f)
+            contacts[index].rolling_impulse = block.extras->rolling_impulse[lane];
         const bool is_rubbed = first.applied_tangent[lane] != 0.0f || second.applied_tangent[lane] != 0.0f;
         if (!is_pushed && !is_rubbed && !(block.overlaps >> lane & 1)) continue;
         mark_pushed(bodies[block.body_a[lane].index()]);

@@ -22,7 +22,9 @@ TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, co
     const ContactBlockPoint& point = block.points[index];
     const Lanes& approach = block.extras->approach_speed[index];
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
-    const Lanes was_fast = select_less(approach, Lanes::Constant(-threshold), one, zero);
+    // Other lanes of the block may have restitution.
+    const Lanes may_bounce = select_less(zero, block.extras->restitution, one, zero);
+    const Lanes was_fast = select_less(approach, Lanes::Constant(-threshold), may_bounce, zero);
     const Lanes happens = select_less(zero, point.applied_normal, was_fast, zero);
     const Lanes rebound = block.extras->restitution * approach;
     const Lanes separation = current_separation(block, point, shift, state);
@@ -90,6 +92,7 @@ void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> r
         for (int lane = 0; lane < kLaneCount; ++lane) {
             TUMBLE_CHECK(block.body_a[lane].index() < returned_work.size());
             TUMBLE_CHECK(block.body_b[lane].index() < returned_work.size());
+            if (!(block.extras->restitution[lane] > 0.0f)) continue;
             const float work = std::max(-block.extras->absorbed[lane], 0.0f);
             if (block.moved_a >> lane & 1) returned_work[block.body_a[lane].index()] += work;
             if (block.moved_b >> lane & 1) returned_work[block.body_b[lane].index()] += work;

@@ -30,6 +30,7 @@ void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
     contact.restitution = std::max(b.material.restitution, a.material.restitution);
     const float rolling_resistance = std::max(b.material.rolling_resistance, a.material.rolling_resistance);
     contact.rolling_resistance = rolling_resistance * std::max(a.shape.radius(), b.shape.radius());
+    if (contact.rolling_resistance == 0.0f) contact.rolling_impulse = 0.0f;
     contact.tangent_speed = a.material.tangent_speed + b.material.tangent_speed;
 }
 
