@@ -155,9 +155,10 @@ std::optional<std::uint64_t> Work::take() {
             continue;
         }
         it = missing_.erase(it);
-        // Another process may have completed it since the manifest was read.
-        if (fs::exists(options_.folder / sweep::shard_file_name(shard, ".csv")) &&
-            is_stored(options_.folder, sweep::read_manifest(options_.folder), shard)) {
+        // Another process may have completed it, or the whole sweep, since the manifest was read.
+        const bool may_be_stored = fs::exists(options_.folder / sweep::shard_file_name(shard, ".csv")) ||
+                                   fs::exists(sweep::table_file(options_.folder));
+        if (may_be_stored && is_stored(options_.folder, sweep::read_manifest(options_.folder), shard)) {
             leases_.release(lease_name(shard));
             continue;
         }
