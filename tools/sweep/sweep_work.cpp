@@ -145,6 +145,15 @@ std::uint64_t Work::count_missing() {
     return missing_.size();
 }
 
+// Whether another process has completed a shard, or the whole sweep. The manifest of a complete sweep is written before
+// the files of its shards are removed: if a file has gone since the manifest was read, the second look finds it.
+bool is_done(const fs::path& folder, std::uint64_t shard) {
+    const bool may_be_stored =
+        fs::exists(folder / sweep::shard_file_name(shard, ".csv")) || fs::exists(sweep::table_file(folder));
+    const auto look = [&] { return is_stored(folder, sweep::read_manifest(folder), shard); };
+    return may_be_stored && (look() || look());
+}
+
 // A shard for a thread, with its lease; nothing if other processes have all that are missing.
 std::optional<std::uint64_t> Work::take() {
     const std::lock_guard lock(mutex_);
@@ -155,10 +164,7 @@ std::optional<std::uint64_t> Work::take() {
             continue;
         }
         it = missing_.erase(it);
-        // Another process may have completed it, or the whole sweep, since the manifest was read.
-        const bool may_be_stored = fs::exists(options_.folder / sweep::shard_file_name(shard, ".csv")) ||
-                                   fs::exists(sweep::table_file(options_.folder));
-        if (may_be_stored && is_stored(options_.folder, sweep::read_manifest(options_.folder), shard)) {
+        if (is_done(options_.folder, shard)) {
             leases_.release(lease_name(shard));
             continue;
         }
