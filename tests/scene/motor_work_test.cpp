@@ -145,3 +145,30 @@ TEST_CASE("what a motor cannot have done is a gain") {
     CHECK(lifted.finding.ends_with(" J above that of the start and the work of events and motors"));
     CHECK(lifted.work < 2.1);
 }
+
+TEST_CASE("the work of motors is left out, and counted again, when a program asks for it") {
+    // The second weight loses its motor at 0.5 s.
+    const Scene scene = parse_scene(R"({"format": 1, "world": {"gravity": [0, -10]}, "bodies": [
+        {"name": "weight", "repeat": {"grid": {"columns": 2, "spacing": [2, 0]}}, "shapes": [{"box": {"size": [0.5, 0.5]}}]},
+        {"name": "frame", "type": "static"}],
+        "joints": [{"name": "lift", "type": "prismatic", "bodies": ["frame", "weight[0]"], "anchor": [0, 0],
+                    "axis": [0, 1], "motor": {"speed": 0.5, "max_force": 100}},
+                   {"name": "other", "type": "prismatic", "bodies": ["frame", "weight[1]"], "anchor": [2, 0],
+                    "axis": [0, 1], "motor": {"speed": 0.5, "max_force": 100}}],
+        "timeline": [{"at": 0.5, "release": "other"}]})",
+                                    "");
+    SceneRun always(scene), later(scene);
+    later.count_motor_work(false);
+    const auto step_both = [&](int steps) {
+        for (int i = 0; i < steps; ++i) always.step(), later.step();
+    };
+    step_both(60);
+    CHECK(later.built().work == 0.0);
+    CHECK(always.built().work > 1.0);
+    later.count_motor_work(true);
+    const double before = always.built().work;
+    step_both(30);
+    CHECK(always.built().work - before > 0.5);
+    CHECK(near(later.built().work, always.built().work - before, relative(1e-9)));
+    CHECK(later.world().state_hash() == always.world().state_hash());
+}

@@ -27,6 +27,7 @@ class TumbleSteps {
 public:
     TumbleSteps(const Scene& scene, int threads) : run_(scene), has_timeline_(!scene.timeline.empty()) {
         run_.set_threads({.count = threads});
+        run_.count_motor_work(false);  // Box2D does not measure it
     }
 
     // Does nothing after the timeline has ended the run.

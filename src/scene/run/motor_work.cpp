@@ -46,7 +46,7 @@ bool moves_anchors(const JointDef& joint) {
 
 MotorWork::MotorWork(const SceneWorld& built) {
     for (const SceneJointInstance& joint : built.joints)
-        if (has_motor(built.world.joint(joint.id))) driven_.push_back({joint.id});
+        if (built.world.is_valid(joint.id) && has_motor(built.world.joint(joint.id))) driven_.push_back({joint.id});
 }
 
 MotorWork::Motion MotorWork::motion_of(const World& world, JointId joint) {

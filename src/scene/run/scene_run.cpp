@@ -18,6 +18,7 @@ struct SceneRun::Impl {
     SceneWorld built;
     scene::TimelineRun timeline;
     scene::MotorWork motors;
+    bool counts_motors = true;
 };
 
 namespace {
@@ -62,7 +63,7 @@ SceneRun& SceneRun::operator=(SceneRun&&) noexcept = default;
 void SceneRun::step() {
     SceneWorld& built = impl_->built;
     impl_->timeline.apply_due(built);
-    impl_->motors.start_step(built.world);
+    if (impl_->counts_motors) impl_->motors.start_step(built.world);
     try {
         built.world.step();
     } catch (const SimulationDiverged& error) {
@@ -70,13 +71,18 @@ void SceneRun::step() {
     }
     const double work = built.work;
     impl_->timeline.add_work(built);
-    built.work += impl_->motors.end_step(built.world, built.work - work);
+    if (impl_->counts_motors) built.work += impl_->motors.end_step(built.world, built.work - work);
     impl_->timeline.watch(built);
 }
 
 bool SceneRun::is_stopped() const noexcept { return impl_->timeline.is_stopped(impl_->built); }
 
 void SceneRun::set_threads(const Threads& threads) { impl_->built.world.set_threads(threads); }
+
+void SceneRun::count_motor_work(bool counts) {
+    if (counts && !impl_->counts_motors) impl_->motors = scene::MotorWork(impl_->built);
+    impl_->counts_motors = counts;
+}
 
 std::vector<std::byte> SceneRun::save(const Scene& scene) const {
     const SceneWorld& built = impl_->built;
@@ -89,7 +95,7 @@ SceneRun SceneRun::load(const Scene& scene, std::span<const std::byte> saved) {
     scene::SavedRun read = scene::read_saved_run(saved);
     SceneRun run(scene);
     Impl& impl = *run.impl_;
-    if (read.scene_hash != hash_without_duration(scene) || !impl.timeline.set_state(read.events))
+    if (read.scene_hash != hash_without_duration(scene) || !impl.timeline.set_state(read.events, impl.built.world))
         throw SnapshotError("the saved run is that of another scene");
     if (read.bodies.size() < impl.built.bodies.size())
         throw SnapshotError("the saved run has fewer bodies than its scene");

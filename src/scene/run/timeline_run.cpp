@@ -57,18 +57,23 @@ bool repeats_at(const SceneEvent& event, double time, const World& world) {
     return time <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack(world);
 }
 
+bool repeats(const SceneEvent& event) { return event.when.empty() && !event.at; }
+
+// When an event that does not wait for its condition is due, or due next, s.
+double due_time(const ScheduledEvent& scheduled, const World& world) {
+    const SceneEvent& event = scheduled.event;
+    TUMBLE_CHECK(!scheduled.is_waiting());
+    if (repeats(event)) return next_repetition(scheduled);
+    if (event.at) return *event.at;
+    return static_cast<double>(scheduled.state.held - 1) / world.def().steps_per_second + event.delay.value_or(0.0);
+}
+
 bool is_due(const ScheduledEvent& scheduled, const World& world) {
     const SceneEvent& event = scheduled.event;
-    const double now = due_until(world);
-    std::optional<double> at = event.at;
-    if (!event.when.empty()) {
-        if (scheduled.is_waiting()) return false;
-        at = static_cast<double>(scheduled.state.held - 1) / world.def().steps_per_second + event.delay.value_or(0.0);
-    }
-    if (at && scheduled.lasts()) return now >= *at && (!event.until || now < *event.until);
-    if (at) return scheduled.state.count == 0 && now >= *at;
-    const double due = next_repetition(scheduled);
-    return now >= due && repeats_at(event, due, world);
+    const double due = due_time(scheduled, world), now = due_until(world);
+    if (now < due) return false;
+    if (repeats(event)) return repeats_at(event, due, world);
+    return scheduled.lasts() ? !event.until || now < *event.until : scheduled.state.count == 0;
 }
 
 // Whether an event can never be due again. A stop never is over: it is not counted.
@@ -152,25 +157,28 @@ TimelineRun::TimelineRun(const Scene& scene, SceneWorld& built)
         if (is_new) conditions_.push_back({compile_condition(event.when, &names, frame)});
         conditions_[entry->second].events.push_back(i);
     }
-    open_events();
+    open_events(built.world);
     watch(built);
 }
 
-void TimelineRun::open_events() {
+void TimelineRun::open_events(const World& world) {
     open_.clear();
     for (const ScheduledEvent& scheduled : events_)
-        if (!scheduled.is_waiting()) open_.push_back(scheduled.index);
+        if (!scheduled.is_waiting()) open_.push_back({scheduled.index, due_time(scheduled, world)});
     for (Condition& condition : conditions_)
         condition.has_held =
             std::ranges::none_of(condition.events, [&](std::size_t event) { return events_[event].is_waiting(); });
 }
 
 void TimelineRun::apply_due(SceneWorld& built) {
-    for (const std::size_t index : open_) {
-        ScheduledEvent& scheduled = events_[index];
+    const double now = due_until(built.world);
+    for (OpenEvent& open : open_) {
+        if (now < open.due) continue;
+        ScheduledEvent& scheduled = events_[open.index];
         if (!scheduled.event.stop && is_due(scheduled, built.world)) apply(scheduled, built);
+        open.due = due_time(scheduled, built.world);
     }
-    std::erase_if(open_, [&](std::size_t index) { return is_over(events_[index], built.world); });
+    std::erase_if(open_, [&](OpenEvent open) { return now >= open.due && is_over(events_[open.index], built.world); });
     for (Push& push : pushes_) {
         push.center = center_of(built.world, push.body);
         push.rotation = built.world.state(push.body).pose.rotation;
@@ -195,15 +203,17 @@ void TimelineRun::watch(const SceneWorld& built) {
         for (const std::size_t index : condition.events) {
             if (!events_[index].is_waiting()) continue;
             events_[index].state.held = 1 + built.world.step_count();
-            open_.push_back(index);
+            open_.push_back({index, due_time(events_[index], built.world)});
         }
     }
-    if (open_.size() > before) std::ranges::sort(open_);
+    if (open_.size() > before) std::ranges::sort(open_, {}, &OpenEvent::index);
 }
 
 bool TimelineRun::is_stopped(const SceneWorld& built) const {
-    return std::ranges::any_of(
-        open_, [&](std::size_t index) { return events_[index].event.stop && is_due(events_[index], built.world); });
+    const double now = due_until(built.world);
+    return std::ranges::any_of(open_, [&](OpenEvent open) {
+        return now >= open.due && events_[open.index].event.stop && is_due(events_[open.index], built.world);
+    });
 }
 
 // The work is what changes the energy of bodies. Joints have none, and bodies that wake keep theirs.
@@ -256,10 +266,10 @@ std::vector<SavedEvent> TimelineRun::state() const {
     return states;
 }
 
-bool TimelineRun::set_state(const std::vector<SavedEvent>& state) {
+bool TimelineRun::set_state(const std::vector<SavedEvent>& state, const World& world) {
     if (state.size() != events_.size()) return false;
     for (std::size_t i = 0; i < state.size(); ++i) events_[i].state = state[i];
-    open_events();
+    open_events(world);
     return true;
 }
 

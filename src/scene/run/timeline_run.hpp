@@ -45,7 +45,8 @@ public:
     bool is_stopped(const SceneWorld& built) const;
 
     std::vector<SavedEvent> state() const;
-    bool set_state(const std::vector<SavedEvent>& state);  // false if it is that of another timeline
+    // False if the state is that of another timeline.
+    bool set_state(const std::vector<SavedEvent>& state, const World& world);
 
 private:
     // A force or torque that acts during the present step, and where its body was at the start.
@@ -56,6 +57,12 @@ private:
         Rotation rotation{};
     };
 
+    // The next time of an event stands beside its index: a step looks at thousands of events that are not due.
+    struct OpenEvent {
+        std::size_t index = 0;
+        double due = 0.0;  // s
+    };
+
     // The condition of one event or more: it is evaluated until it has held once.
     struct Condition {
         Program program;
@@ -63,15 +70,15 @@ private:
         bool has_held = false;
     };
 
-    void open_events();  // sets open_ and Condition::has_held from the states of the events
+    void open_events(const World& world);  // sets open_ and Condition::has_held from the states of the events
     void apply(ScheduledEvent& scheduled, SceneWorld& built);
     void spawn(ScheduledEvent& scheduled, SceneWorld& built);
 
     std::vector<ScheduledEvent> events_;
     std::vector<Condition> conditions_;
     // The events that wait for no condition, in the order of the file. Those that are over leave after the next
-    // apply_due().
-    std::vector<std::size_t> open_;
+    // apply_due() at which they are due.
+    std::vector<OpenEvent> open_;
     std::vector<Push> pushes_;
     std::string scene_name_;  // for errors
     std::uint64_t seed_ = 0;
