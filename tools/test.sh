@@ -76,12 +76,14 @@ compare_parity() {
     say "parity: equal results over $1 pairs"
 }
 
-# check_golden_hashes: one program gives the same hashes with each instruction set. Every processor has the baseline.
+# check_golden_hashes: one program gives the same hashes with each instruction set, and joints in lanes the numbers of
+# joints one by one. Every processor has the baseline.
 check_golden_hashes() {
     local set
     for set in baseline avx2 avx512; do
         if [[ $set == baseline ]] || TUMBLE_SIMD=$set build/ci/tools/tumble --version > /dev/null 2>&1; then
             TUMBLE_SIMD=$set build/ci/tests/test_golden
+            TUMBLE_SIMD=$set build/ci/tests/test_dynamics --test-case="joints in lanes*"
         else
             say "$set: not run, as this processor does not have it"
         fi

@@ -169,7 +169,7 @@ void prepare_constraints(Simulation& simulation) {
     const BounceBy bounces = settings.orders_impacts() ? BounceBy::impacts : BounceBy::solver;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), bounces, simulation.crew);
-    simulation.joints.prepare(simulation.bodies, settings.joints, simulation.crew);
+    simulation.joints.prepare(simulation.bodies, settings.joints, settings.substep_duration(), simulation.crew);
     simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
         return simulation.scratch->contact_solver.graph().has_contact(solver_body);
     });
@@ -208,7 +208,7 @@ void bounce(Simulation& simulation) {
 void store_results(Simulation& simulation) {
     simulation.scratch->contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
                                                       simulation.crew);
-    simulation.joints.store(joint_context(simulation));
+    simulation.joints.store(joint_context(simulation), simulation.crew);
     simulation.events.broken_joints = simulation.joints.broken();
 }
 

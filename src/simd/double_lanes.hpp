@@ -155,6 +155,13 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> load_widened(const float* values) {
     return result;
 }
 
+// Stores the lanes, rounded to float, as N consecutive floats.
+template <int N>
+TUMBLE_LANE_FUNCTION void store_narrowed(const DoubleLanes<N>& lanes, float* values) {
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i)
+        simd::store_narrowed(lanes.part[i], values + DoubleLanes<N>::kWidth * i);
+}
+
 template <int N>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> square_root(const DoubleLanes<N>& lanes) {
     DoubleLanes<N> result = lanes;

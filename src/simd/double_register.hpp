@@ -60,6 +60,9 @@ TUMBLE_LANE_FUNCTION void load_widened(Double8& part, const float* values) {
 TUMBLE_LANE_FUNCTION void widen(Double8& part, const Float4& low, const Float4& high) {
     part = _mm512_maskz_cvtps_pd(kAll, __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7));
 }
+TUMBLE_LANE_FUNCTION void store_narrowed(const Double8& part, float* values) {
+    _mm256_storeu_ps(values, _mm512_maskz_cvtpd_ps(kAll, part));
+}
 TUMBLE_LANE_FUNCTION void take_root(Double8& part) { part = _mm512_maskz_sqrt_pd(kAll, part); }
 TUMBLE_LANE_FUNCTION Double4 larger_halves(const Double8& part) {
     return _mm256_max_pd(__builtin_shufflevector(part, part, 0, 1, 2, 3),
@@ -137,6 +140,14 @@ TUMBLE_LANE_FUNCTION void load_widened(Double4& part, const float* values) {
     Float4 four;
     std::memcpy(&four, values, sizeof four);
     widen(part, four);
+}
+
+TUMBLE_LANE_FUNCTION void store_narrowed(const Double4& part, float* values) {
+#if defined(__AVX__)
+    _mm_storeu_ps(values, _mm256_cvtpd_ps(part));
+#else
+    for (int lane = 0; lane < 4; ++lane) values[lane] = static_cast<float>(part[lane]);
+#endif
 }
 
 TUMBLE_LANE_FUNCTION void take_root(Double4& part) {

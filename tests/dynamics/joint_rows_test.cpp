@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "dynamics/joints/joint_store.hpp"
+#include "dynamics/joint_store/joint_store.hpp"
 
 using namespace tumble;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -104,4 +105,21 @@ TEST_CASE("floats are widened without change, denormal ones too") {
     for (int i = 0; i < 8; ++i) CHECK(wide[i] == static_cast<double>(values[i]));
     const DoubleLanes<4> half = load_widened<4>(values + 3);
     for (int i = 0; i < 4; ++i) CHECK(half[i] == static_cast<double>(values[3 + i]));
+}
+
+TEST_CASE("lanes are rounded to floats as scalars are") {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    // Two ties, which round to even, numbers that become denormal or 0, one that is too large, and -0.
+    const double values[8] = {1.0 + 0x1p-24, 1.0 + 0x3p-24, 0x1.8p-149, 0x1p-151, 1e300, -0.0, 0.1, nan};
+    const DoubleLanes<8> lanes = gather_lanes<8>([&](int i) { return values[i]; });
+    float narrowed[8], half[4];
+    store_narrowed(lanes, narrowed);
+    store_narrowed(gather_lanes<4>([&](int i) { return values[i + 4]; }), half);
+    for (int i = 0; i < 8; ++i) {
+        CAPTURE(i);
+        const float expected = static_cast<float>(values[i]);
+        CHECK((narrowed[i] == expected || (std::isnan(narrowed[i]) && std::isnan(expected))));
+        CHECK(std::signbit(narrowed[i]) == std::signbit(expected));
+        if (i >= 4) CHECK(std::memcmp(&half[i - 4], &narrowed[i], sizeof(float)) == 0);
+    }
 }

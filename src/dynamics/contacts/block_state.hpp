@@ -12,44 +12,6 @@
 
 namespace tumble {
 
-// The bodies A, or the bodies B, of a block.
-TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const BodyRow body[kLaneCount]) {
-    const float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-        TUMBLE_CHECK(body[lane].index() < bodies.size());
-        rows[lane] = reinterpret_cast<const float*>(bodies.data()) + body[lane].position;
-    }
-    return gather_bodies(rows);
-}
-
-// scatter_velocities() for a block that can move some of the bodies only, which is rare.
-[[gnu::noinline]] inline void scatter_some(const Lanes fields[4], std::span<SolverBody> bodies,
-                                           const BodyRow body[kLaneCount], std::uint8_t moved) {
-    alignas(16) float unmoved[4];
-    float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane)
-        rows[lane] = moved >> lane & 1 ? &bodies[body[lane].index()].velocity.x : unmoved;
-    scatter_rows(fields[0], fields[1], fields[2], fields[3], rows);
-}
-
-// Writes the velocities of the bodies that the block can move. The others may be in several blocks of a colour, which
-// threads solve at the same time.
-TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& lanes, std::span<SolverBody> bodies,
-                                             const BodyRow body[kLaneCount], std::uint8_t moved) {
-    if (moved == 0) return;
-    if (moved != kAllLanes) {
-        // A copy, so that the lanes stay in registers: passing their address makes the solver 10 % slower.
-        const Lanes fields[4] = {lanes.velocity_x, lanes.velocity_y, lanes.angular_velocity, lanes.flags};
-        return scatter_some(fields, bodies, body, moved);
-    }
-    float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-        TUMBLE_CHECK(body[lane].index() < bodies.size());
-        rows[lane] = reinterpret_cast<float*>(bodies.data()) + body[lane].position;
-    }
-    scatter_rows(lanes.velocity_x, lanes.velocity_y, lanes.angular_velocity, lanes.flags, rows);
-}
-
 // The two bodies of each lane while their block is solved.
 struct BlockState {
     BodyLanes a, b;

@@ -1,5 +1,5 @@
 // The direct solver of joints: the equality constraints of all joints that it takes as one linear system, solved
-// exactly. It takes all joints, or those of joints/joint_groups.hpp.
+// exactly. It takes all joints, or those of joint_store/joint_groups.hpp.
 //
 // In a sub-step of length h, C are the errors of the rows, J their Jacobian, M the masses, and A = J M^-1 J^T:
 //   before the bodies move   1. A P = -J v: the velocities, with what gravity and forces have added, satisfy the rows
@@ -20,7 +20,7 @@
 #include "dynamics/direct/energy_guard.hpp"
 #include "dynamics/direct/sparse_ldlt.hpp"
 #include "dynamics/direct/system_pattern.hpp"
-#include "dynamics/joints/joint_store.hpp"
+#include "dynamics/joint_store/joint_store.hpp"
 
 namespace tumble {
 

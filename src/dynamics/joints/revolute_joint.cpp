@@ -39,6 +39,11 @@ void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<
     drive_.solve(bodies_, kAngularRow, position, 0.0f, context, use_bias, bodies);
 }
 
+bool RevoluteJoint::fits_lanes(const BodyStore& bodies) const {
+    const BodyFrame &a = bodies.frames[body_a_], &b = bodies.frames[body_b_];
+    return !JointBodies::make(a, anchor_a_, b, anchor_b_).may_be_singular();
+}
+
 void RevoluteJoint::take_over(const RevoluteJoint& old) {
     angle_ = old.angle_;
     impulse_ = old.impulse_;

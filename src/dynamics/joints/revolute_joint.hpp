@@ -30,6 +30,12 @@ public:
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
+    std::uint32_t body_a() const { return body_a_; }  // indices
+    std::uint32_t body_b() const { return body_b_; }
+    std::uint32_t drive_parts() const { return drive_.parts(); }
+    // False if a body is locked along an axis or neither can turn: lanes do not solve such a joint.
+    bool fits_lanes(const BodyStore& bodies) const;
+
     // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
     template <class Visitor>
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
@@ -47,6 +53,8 @@ public:
     }
 
 private:
+    friend class RevoluteLanes;  // copies joints to lanes and back
+
     void solve_drive(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
     // The members of the definition that a step reads. The whole definition would make this array larger, and scenes

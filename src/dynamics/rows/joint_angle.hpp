@@ -24,11 +24,13 @@ inline double relative_angle(Rotation a, Rotation b) {
     return arc_tangent(v.sin, v.cos);
 }
 
-// The arc tangent of |t| <= 1/8 by its series. The first term left out is below 2e-14 of it.
-inline double small_arc_tangent(double t) {
-    const double z = t * t;
-    const double low = 1.0 / 3.0 - z * (1.0 / 5.0 - z * (1.0 / 7.0));
-    const double high = 1.0 / 9.0 - z * (1.0 / 11.0 - z * (1.0 / 13.0));
+// The arc tangent of |t| <= 1/8, a double or lanes of them, by its series. The first term left out is below 2e-14 of
+// it.
+template <class Number>
+[[gnu::always_inline]] inline Number small_arc_tangent(const Number& t) {
+    const Number z = t * t;
+    const Number low = Number(1.0 / 3.0) - z * (Number(1.0 / 5.0) - z * Number(1.0 / 7.0));
+    const Number high = Number(1.0 / 9.0) - z * (Number(1.0 / 11.0) - z * Number(1.0 / 13.0));
     return t - t * z * (low - z * z * z * high);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -26,6 +27,16 @@ inline std::optional<DriveMotor> drive_motor(const std::optional<LinearMotor>& m
     return motor ? std::optional<DriveMotor>({motor->speed, motor->max_force}) : std::nullopt;
 }
 
+// The accumulated impulses along the row, N m s or N s.
+struct DriveImpulses {
+    float spring = 0.0f, motor = 0.0f;  // positive towards greater values
+    float lower = 0.0f, upper = 0.0f;   // of the limits, >= 0: towards greater and towards smaller values
+
+    float sum() const { return spring + motor + lower - upper; }
+};
+
+enum DrivePart : std::uint32_t { kSpringPart = 1, kMotorPart = 2, kLimitsPart = 4 };
+
 class JointDrive {
 public:
     JointDrive() = default;
@@ -34,10 +45,20 @@ public:
         : spring_(spring), motor_(motor), limits_(limits) {}
 
     bool is_idle() const { return !spring_ && !motor_ && !limits_; }
+    // A bit for each DrivePart that it has.
+    std::uint32_t parts() const {
+        return (spring_ ? kSpringPart : 0u) | (motor_ ? kMotorPart : 0u) | (limits_ ? kLimitsPart : 0u);
+    }
+    const std::optional<JointSpring>& spring() const { return spring_; }
+    const std::optional<DriveMotor>& motor() const { return motor_; }
+    const std::optional<JointLimits>& limits() const { return limits_; }
     bool needs_value() const { return spring_ || limits_; }
 
     // The accumulated impulse along the row (N m s or N s), positive towards greater values.
-    float impulse() const { return spring_impulse_ + motor_impulse_ + lower_impulse_ - upper_impulse_; }
+    float impulse() const { return impulses_.sum(); }
+
+    const DriveImpulses& impulses() const { return impulses_; }
+    void set_impulses(const DriveImpulses& impulses) { impulses_ = impulses; }
 
     // Solves spring, motor and limits. `position` is that of the row now (row_position.hpp), `rest` the spring's rest
     // position. Springs are solved in the pass with bias only: solved again in the relaxing pass, they would damp
@@ -45,36 +66,36 @@ public:
     template <class Row, class Position>
     void solve(const JointBodies& joint, const Row& row, const Position& position, float rest,
                const JointContext& context, bool use_bias, std::span<SolverBody> all) {
-        TUMBLE_CHECK(!(lower_impulse_ < 0.0f || upper_impulse_ < 0.0f));
+        TUMBLE_CHECK(!(impulses_.lower < 0.0f || impulses_.upper < 0.0f));
         LazyPosition lazy(position);
         if (spring_ && use_bias)
-            solve_equality(joint, row, spring_softness(*spring_, context.h), lazy.now() - rest, spring_impulse_, all);
+            solve_equality(joint, row, spring_softness(*spring_, context.h), lazy.now() - rest, impulses_.spring, all);
         if (motor_) {
             const float value = may_slow_motor(lazy.range(), context.inv_h) ? lazy.now() : lazy.range().lower;
             solve_bounded_row(joint, row, Softness{}, -motor_speed(value, context.inv_h),
-                              context.h * motor_->max_effort, motor_impulse_, all);
+                              context.h * motor_->max_effort, impulses_.motor, all);
         }
         if (!limits_) return;
         const float lower = limits_->lower, upper = limits_->upper;
-        if (may_reach_limit(joint, row, 1.0f, lazy.range().lower - lower, context, lower_impulse_, all))
-            solve_limit(joint, row, 1.0f, lazy.now() - lower, context, use_bias, lower_impulse_, all);
-        if (may_reach_limit(joint, row, -1.0f, upper - lazy.range().upper, context, upper_impulse_, all))
-            solve_limit(joint, row, -1.0f, upper - lazy.now(), context, use_bias, upper_impulse_, all);
+        if (may_reach_limit(joint, row, 1.0f, lazy.range().lower - lower, context, impulses_.lower, all))
+            solve_limit(joint, row, 1.0f, lazy.now() - lower, context, use_bias, impulses_.lower, all);
+        if (may_reach_limit(joint, row, -1.0f, upper - lazy.range().upper, context, impulses_.upper, all))
+            solve_limit(joint, row, -1.0f, upper - lazy.now(), context, use_bias, impulses_.upper, all);
     }
 
     // Takes over the accumulated impulses of the drive that this one replaces, of each part that this one has.
     void take_over(const JointDrive& old) {
-        if (spring_) spring_impulse_ = old.spring_impulse_;
-        if (motor_) motor_impulse_ = old.motor_impulse_;
-        if (limits_) lower_impulse_ = old.lower_impulse_, upper_impulse_ = old.upper_impulse_;
+        if (spring_) impulses_.spring = old.impulses_.spring;
+        if (motor_) impulses_.motor = old.impulses_.motor;
+        if (limits_) impulses_.lower = old.impulses_.lower, impulses_.upper = old.impulses_.upper;
     }
 
-    void forget_impulses() { spring_impulse_ = motor_impulse_ = lower_impulse_ = upper_impulse_ = 0.0f; }
+    void forget_impulses() { impulses_ = {}; }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.spring_, self.motor_, self.limits_, self.spring_impulse_, self.motor_impulse_, self.lower_impulse_,
-              self.upper_impulse_);
+        visit(self.spring_, self.motor_, self.limits_, self.impulses_.spring, self.impulses_.motor,
+              self.impulses_.lower, self.impulses_.upper);
     }
 
 private:
@@ -97,10 +118,7 @@ private:
     std::optional<JointSpring> spring_;
     std::optional<DriveMotor> motor_;
     std::optional<JointLimits> limits_;
-    float spring_impulse_ = 0.0f;
-    float motor_impulse_ = 0.0f;
-    float lower_impulse_ = 0.0f;  // >= 0, towards greater values
-    float upper_impulse_ = 0.0f;  // >= 0, towards smaller values
+    DriveImpulses impulses_;
 };
 
 }  // namespace tumble

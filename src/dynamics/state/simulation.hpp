@@ -10,7 +10,7 @@
 #include "dynamics/bodies/shape_store.hpp"
 #include "dynamics/bodies/speed_limits.hpp"
 #include "dynamics/contacts/contact_store.hpp"
-#include "dynamics/joints/joint_store.hpp"
+#include "dynamics/joint_store/joint_store.hpp"
 #include "dynamics/state/scratch_pointer.hpp"
 #include "dynamics/state/sleeping_islands.hpp"
 #include "tasks/crew.hpp"

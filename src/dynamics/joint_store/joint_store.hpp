@@ -13,12 +13,13 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/id_pool.hpp"
+#include "dynamics/joint_store/joined_bodies.hpp"
+#include "dynamics/joint_store/joint_blocks.hpp"
+#include "dynamics/joint_store/joint_groups.hpp"
+#include "dynamics/joint_store/revolute_lanes.hpp"
 #include "dynamics/joints/distance_joint.hpp"
 #include "dynamics/joints/filter_joint.hpp"
 #include "dynamics/joints/gear_joint.hpp"
-#include "dynamics/joints/joined_bodies.hpp"
-#include "dynamics/joints/joint_blocks.hpp"
-#include "dynamics/joints/joint_groups.hpp"
 #include "dynamics/joints/motor_joint.hpp"
 #include "dynamics/joints/mouse_joint.hpp"
 #include "dynamics/joints/prismatic_joint.hpp"
@@ -66,7 +67,7 @@ public:
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);
 
-    void prepare(const BodyStore& bodies, JointSolver solver, Crew& crew);
+    void prepare(const BodyStore& bodies, JointSolver solver, float h, Crew& crew);  // h: the sub-step, s
 
     // After prepare(), when the contacts of the step are known: decides which joints the direct solver takes.
     template <class HasContact>
@@ -74,7 +75,7 @@ public:
         groups_.choose(bodies, has_contact);
     }
 
-    // To be called after a change of the type or mass of a body with joints.
+    // To be called after a change of the type, mass or locks of a body with joints.
     void forget_groups() { has_groups_ = false; }
 
     bool has_direct() const { return groups_.has_direct(); }
@@ -94,7 +95,7 @@ public:
     }
 
     // Stores the reactions of the awake joints, and lists those that break.
-    void store(const JointContext& context);
+    void store(const JointContext& context, Crew& crew);
 
     // The joints whose reaction exceeded their strength in the last store(), in order of their ids.
     const std::vector<JointId>& broken() const { return broken_; }
@@ -119,7 +120,7 @@ public:
 
     // Of what is derived from the joints.
     std::size_t derived_bytes() const {
-        std::size_t bytes = groups_.bytes();
+        std::size_t bytes = groups_.bytes() + revolute_lanes_.bytes();
         for_each_list(*this, [&](const auto& list) { bytes += list.blocks.bytes(); });
         return bytes;
     }
@@ -173,8 +174,8 @@ private:
     static void for_each_list(Self& self, Visitor&& visit) {
         std::apply([&](auto&... list) { (visit(list), ...); }, self.lists_);
     }
-    template <class List, class Visitor>
-    static void for_each_in_blocks(List& list, Crew& crew, Visitor&& visit);
+    template <class Self, class List, class VisitBlock, class Visitor>
+    static void for_each_in_blocks(Self& self, List& list, Crew& crew, VisitBlock&& visit_block, Visitor&& visit);
     // The joint of a definition, of the type of its kind.
     template <class Def>
     auto make(const Def& def) const;
@@ -182,8 +183,17 @@ private:
     template <class Self, class Visitor>
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
+    template <class Joint>
+    bool is_in_lanes(const JointList<Joint>&, std::size_t) const {
+        return false;
+    }
+    bool is_in_lanes(const JointList<RevoluteJoint>&, std::size_t position) const {
+        return revolute_lanes_.is_in_lanes(position);
+    }
+
     void find_groups(const BodyStore& bodies, JointSolver solver);
     void find_blocks(const BodyStore& bodies);
+    void find_lanes(const BodyStore& bodies);
 
     std::vector<JointRecord> records_;  // by joint index
     std::vector<JointLoad> loads_;      // by joint index
@@ -193,6 +203,7 @@ private:
 
     // Derived from the joints and their bodies; a snapshot does not contain them.
     JointGroups groups_;
+    RevoluteLanes revolute_lanes_;
     bool has_groups_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "dynamics/joints/joint_groups.hpp"
+#include "dynamics/joint_store/joint_groups.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -58,6 +58,7 @@ void JointGroups::find(JointSolver solver, const std::vector<GroupedJoint>& join
     solver_ = solver;
     groups_.clear();
     is_direct_.assign(joints.size(), solver == JointSolver::direct);
+    may_be_direct_ = is_direct_;
     is_lone_.assign(joints.size(), false);
     has_direct_ = solver == JointSolver::direct;
     if (solver == JointSolver::direct) return;
@@ -67,12 +68,15 @@ void JointGroups::find(JointSolver solver, const std::vector<GroupedJoint>& join
         if (!left[joint]) continue;
         Group group = take_group(joint, left, joints, bodies);
         is_lone_[joint] = group.joints.size() == 1;
-        if (suits(group, bodies)) groups_.push_back(std::move(group));
+        if (!suits(group, bodies)) continue;
+        for (const std::uint32_t taken : group.joints) may_be_direct_[taken] = true;
+        groups_.push_back(std::move(group));
     }
 }
 
 std::size_t JointGroups::bytes() const {
-    std::size_t bytes = groups_.capacity() * sizeof(Group) + (is_direct_.capacity() + is_lone_.capacity()) / 8;
+    std::size_t bytes = groups_.capacity() * sizeof(Group) +
+                        (is_direct_.capacity() + may_be_direct_.capacity() + is_lone_.capacity()) / 8;
     for (const Group& group : groups_)
         bytes += (group.joints.capacity() + group.bodies.capacity()) * sizeof(std::uint32_t);
     return bytes;

@@ -12,7 +12,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
-#include "dynamics/joints/joined_bodies.hpp"
+#include "dynamics/joint_store/joined_bodies.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
@@ -46,6 +46,12 @@ public:
         }
     }
 
+    // False if the direct solver takes the joint in no step, until find() is called again.
+    bool may_be_direct(std::uint32_t joint) const {
+        TUMBLE_CHECK(joint < may_be_direct_.size());
+        return may_be_direct_[joint];
+    }
+
     bool has_direct() const { return has_direct_; }
     bool is_direct(std::uint32_t joint) const {
         TUMBLE_CHECK(joint < is_direct_.size());
@@ -73,9 +79,9 @@ private:
     static bool suits(const Group& group, const BodyStore& bodies);
 
     JointSolver solver_ = JointSolver::iterative;
-    std::vector<Group> groups_;    // that the direct solver may take
-    std::vector<bool> is_direct_;  // by joint index
-    std::vector<bool> is_lone_;    // by joint index
+    std::vector<Group> groups_;                  // that the direct solver may take
+    std::vector<bool> is_direct_;                // by joint index
+    std::vector<bool> may_be_direct_, is_lone_;  // by joint index
     bool has_direct_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "dynamics/joints/joint_blocks.hpp"
+#include "dynamics/joint_store/joint_blocks.hpp"
 
 #include <bit>
 
@@ -20,7 +20,7 @@ std::size_t JointBlocks::bytes() const {
 void JointBlocks::begin(std::size_t count, std::size_t body_count) {
     count_ = count;
     for (std::vector<std::uint32_t>& color : colors_) color.clear();
-    colors_of_.assign(block_count() > 1 ? body_count : 0, 0);
+    colors_of_.assign(block_count() > 1 ? body_count + 1 : 0, 0);
 }
 
 std::uint64_t JointBlocks::color_block(std::size_t block, std::uint64_t taken) {

@@ -1,8 +1,9 @@
-#include "dynamics/joints/joint_store.hpp"
+#include "dynamics/joint_store/joint_store.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/joint_store/revolute_block.hpp"
 #include "dynamics/rows/joint_ends.hpp"
 
 namespace tumble {
@@ -106,12 +107,16 @@ JointId JointStore::create(const JointDef& def) {
 
 void JointStore::destroy(JointId id) {
     TUMBLE_CHECK(ids.is_live(id));
-    put_to_sleep({&id, 1});
     visit_list_of(*this, id, [&](auto& list, const auto&) {
-        TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
+        const std::uint32_t slot = records_[id.index].slot;
+        TUMBLE_CHECK(slot < list.joints.size());
         TUMBLE_CHECK(list.free.size() < list.joints.size());
-        list.free.push_back(records_[id.index].slot);
+        list.free.push_back(slot);
+        if (records_[id.index].is_awake)
+            list.awake.erase(std::find(list.awake.begin(), list.awake.end(), AwakeJoint{id.index, slot}));
     });
+    records_[id.index].is_awake = false;
+    has_groups_ = false;
     ids.release(id);
     ids.recycle(id.index);
 }
@@ -134,6 +139,7 @@ void JointStore::redefine(JointId id, const JointDef& def) {
         TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
         auto& joint = list.joints[records_[id.index].slot];
         auto changed = make(kind);
+        if constexpr (requires { changed.drive_parts(); }) has_groups_ &= changed.drive_parts() == joint.drive_parts();
         changed.take_over(joint);
         joint = changed;
     });
@@ -176,17 +182,25 @@ void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
             joints[awake.joint] = {rows_of(records_[awake.joint].def), this->bodies(ids.at(awake.joint))};
     });
     groups_.find(solver, joints, bodies);
-    has_groups_ = true;
 }
 
 void JointStore::find_blocks(const BodyStore& bodies) {
     for_each_list(*this, [&](auto& list) {
-        list.blocks.find(list.awake.size(), bodies.frames.size(),
+        list.blocks.find(list.awake.size(), bodies,
                          [&](std::size_t i) { return this->bodies(ids.at(list.awake[i].joint)); });
     });
 }
 
-void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew) {
+void JointStore::find_lanes(const BodyStore& bodies) {
+    const auto& list = std::get<JointList<RevoluteJoint>>(lists_);
+    std::vector<RevoluteLanes::Entry> entries;
+    for (const AwakeJoint& awake : list.awake)
+        entries.push_back({awake.slot, !groups_.is_lone(awake.joint) && !groups_.may_be_direct(awake.joint) &&
+                                           list.joints[awake.slot].fits_lanes(bodies)});
+    revolute_lanes_.find(list.blocks, entries, list.joints, bodies);
+}
+
+void JointStore::prepare(const BodyStore& bodies, JointSolver solver, float h, Crew& crew) {
     constexpr std::size_t kLeastJoints = 96;  // in a chunk: about 3 us of work
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
     is_unsorted_ = false;
@@ -197,25 +211,36 @@ void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew
     if (!has_groups_) {
         find_blocks(bodies);
         find_groups(bodies, solver);
+        find_lanes(bodies);
+        has_groups_ = true;
     }
     for_each_list(*this, [&](auto& list) {
         crew.for_each(list.awake.size(), kLeastJoints, [&](std::size_t i) {
             auto& joint = list.joints[list.awake[i].slot];
             joint.prepare(bodies);
-            joint.update_rows(bodies.solver_bodies);
+            if (!is_in_lanes(list, i)) joint.update_rows(bodies.solver_bodies);
             if constexpr (requires { joint.set_lone(true); }) joint.set_lone(groups_.is_lone(list.awake[i].joint));
         });
     });
+    revolute_lanes_.load(std::get<JointList<RevoluteJoint>>(lists_).joints, bodies, h, crew);
 }
 
-// Calls visit(joint, index) for each awake joint of a list, in blocks if there are many. Inlined: a call for each list
-// in each pass takes 3 % of the step of a double pendulum.
-template <class List, class Visitor>
-[[gnu::always_inline]] inline void JointStore::for_each_in_blocks(List& list, Crew& crew, Visitor&& visit) {
+// Calls visit(joint, index) for each awake joint of a list, in blocks if there are many, and visit_block(block) for
+// those that are solved in lanes. Inlined: a call for each list in each pass takes 3 % of the step of a double
+// pendulum.
+template <class Self, class List, class VisitBlock, class Visitor>
+[[gnu::always_inline]] inline void JointStore::for_each_in_blocks(Self& self, List& list, Crew& crew,
+                                                                  VisitBlock&& visit_block, Visitor&& visit) {
     if (list.awake.empty()) return;
-    const auto visit_range = [&](std::size_t first, std::size_t end) __attribute__((always_inline)) {
-        for (std::size_t i = first; i < end; ++i) visit(list.joints[list.awake[i].slot], list.awake[i].joint);
+    const auto visit_one = [&](std::size_t i) __attribute__((always_inline)) {
+        visit(list.joints[list.awake[i].slot], list.awake[i].joint);
     };
+    const auto visit_range = [&](std::size_t first, std::size_t end) __attribute__((always_inline)) {
+        for (std::size_t i = first; i < end; ++i) visit_one(i);
+    };
+    if constexpr (std::is_same_v<std::remove_const_t<List>, JointList<RevoluteJoint>>)
+        if (self.revolute_lanes_.is_used())
+            return RevoluteLanes::for_each(self.revolute_lanes_, crew, visit_block, visit_one);
     if (list.blocks.is_divided()) [[unlikely]]
         list.blocks.for_each(crew, visit_range);
     else
@@ -225,7 +250,9 @@ template <class List, class Visitor>
 void JointStore::warm_start(std::span<SolverBody> bodies, Crew& crew) const {
     TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
     for_each_list(*this, [&](const auto& list) {
-        for_each_in_blocks(list, crew, [&](const auto& joint, std::uint32_t) { joint.warm_start(bodies); });
+        for_each_in_blocks(
+            *this, list, crew, [&](const RevoluteBlock& block) { warm_start_joints(block, bodies); },
+            [&](const auto& joint, std::uint32_t) { joint.warm_start(bodies); });
     });
 }
 
@@ -236,16 +263,19 @@ void JointStore::solve(const JointContext& context, bool use_bias, std::span<Sol
     without_equalities.iterates_equalities = false;
     const bool has_any_direct = has_direct();
     for_each_list(*this, [&](auto& list) {
-        for_each_in_blocks(list, crew, [&](auto& joint, std::uint32_t index) {
-            if (!use_bias) joint.update_rows(bodies);
-            const bool is_direct = has_any_direct && groups_.is_direct(index);
-            joint.solve(is_direct ? without_equalities : context, use_bias, bodies);
-        });
+        for_each_in_blocks(
+            *this, list, crew, [&](RevoluteBlock& block) { solve_joints(block, context, use_bias, bodies); },
+            [&](auto& joint, std::uint32_t index) {
+                if (!use_bias) joint.update_rows(bodies);
+                const bool is_direct = has_any_direct && groups_.is_direct(index);
+                joint.solve(is_direct ? without_equalities : context, use_bias, bodies);
+            });
     });
 }
 
-void JointStore::store(const JointContext& context) {
+void JointStore::store(const JointContext& context, Crew& crew) {
     TUMBLE_CHECK(context.inv_h > 0.0f);
+    revolute_lanes_.store(std::get<JointList<RevoluteJoint>>(lists_).joints, crew);
     broken_.clear();
     for_each_list(*this, [&](auto& list) {
         for (const AwakeJoint& awake : list.awake) {
