@@ -72,11 +72,13 @@ std::size_t amount_of_work(const Simulation& simulation) {
 void find_moved_proxies(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
                         std::vector<BroadPhase::MovedProxy>& moved) {
     const Pose& pose = simulation.bodies.frames[moving.body].pose;
-    for (const ShapeId shape : simulation.bodies.records[moving.body].shapes) {
+    const auto find = [&](std::uint32_t shape) {
         const std::optional<Aabb> box =
-            simulation.shapes.new_box(shape.index, pose, ahead, simulation.settings.tuning, simulation.broad);
-        if (box) moved.push_back({shape.index, *box});
-    }
+            simulation.shapes.new_box(shape, pose, ahead, simulation.settings.tuning, simulation.broad);
+        if (box) moved.push_back({shape, *box});
+    };
+    if (moving.motion.only_shape != kNoShape) return find(moving.motion.only_shape);
+    for (const ShapeId shape : simulation.bodies.records[moving.body].shapes) find(shape.index);
 }
 
 // The parts of a step that the crew works on together, with serial ones between them that may take long.

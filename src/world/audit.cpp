@@ -46,9 +46,22 @@ void audit_ids(const Simulation& simulation) {
     ensure(simulation.joints.ids.is_sound(), "the list of joints differs from the owners of their indices", 0);
 }
 
+// What the motion of a body says of its shapes, also in the copy that steps read.
+void audit_motion(const Simulation& simulation, std::uint32_t body) {
+    const BodyRecord& record = simulation.bodies.records[body];
+    const bool has_one = record.shapes.size() == 1;
+    ensure(record.motion.only_shape == (has_one ? record.shapes[0].index : kNoShape),
+           "the only shape of a body is not in its list", body);
+    const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
+    if (solver_body == kStaticSolverBody) return;
+    ensure(simulation.bodies.moving[solver_body].motion.only_shape == record.motion.only_shape,
+           "a moving body has another only shape", body);
+}
+
 void audit_shapes(const Simulation& simulation) {
     std::size_t owned = 0;
     for (const BodyId body : simulation.bodies.ids.live()) {
+        audit_motion(simulation, body.index);
         for (const ShapeId id : simulation.bodies.records[body.index].shapes) {
             ++owned;
             ensure(simulation.shapes.ids.is_live(id), "a body lists a destroyed shape", body.index);

@@ -39,9 +39,10 @@ void World::Impl::remove_proxies(BodyId id) {
 
 void World::Impl::update_mass(BodyId id) {
     BodyStore& bodies = simulation.bodies;
-    const BodyRecord& record = bodies.records[id.index];
+    BodyRecord& record = bodies.records[id.index];
     const std::vector<ShapeId>& shapes = record.shapes;
     BodyMass mass;
+    record.motion.only_shape = shapes.size() == 1 ? shapes[0].index : kNoShape;
     if (!record.joints.empty()) simulation.joints.forget_groups();
     // A static body needs neither mass nor reach. Without this line, adding n shapes to it one by one would be O(n^2).
     if (bodies.frames[id.index].type == BodyType::static_body) return bodies.set_mass(id, mass, 0.0f, 0.0f);

@@ -249,7 +249,7 @@ constexpr const char* kUnnoticed[] = {
     // Reach, smallest extent and allow_sleep of a body: no body that is swept turns much, and none falls asleep twice.
     ".4[].10", ".4[].11", ".6[].4", ".6[].5", ".6[].6",
     // The horizontal rest of a velocity: no body that flies has a horizontal acceleration.
-    ".6[].8",
+    ".6[].9",
     // Points of a chain beside a segment: no shape touches its corner.
     ".11[].17?.0", ".11[].17?.1", ".11[].17?.2", ".11[].17?.3", ".11[].17?.4",
     // Definitions of joints: collide_connected where the shapes do not touch, and limits that are not reached.

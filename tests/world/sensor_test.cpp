@@ -121,6 +121,24 @@ TEST_CASE("a thin sensor detects a body that flies through it within a step, onc
         }
 }
 
+TEST_CASE("a thin sensor of a fast body detects a body that it passes within a step, once") {
+    for (const ImpactModel impacts : {ImpactModel::at_step_end, ImpactModel::in_order})
+        for (int phase = 0; phase < 100; ++phase) {
+            CAPTURE(phase);
+            World world({.gravity = {}, .impacts = impacts});
+            const BodyId ball = add_dynamic(world, {-4.0 - phase / 60.0, 0.0}, make_circle(0.1f));
+            world.add_shape(ball, {.shape = make_box({0.05f, 4.0f}), .sensor = true});
+            world.set_velocity(ball, {100.0f, 0.0f}, 0.0f);
+            add_dynamic(world, {0.0, 1.0}, make_circle(0.1f));
+            std::size_t begins = 0;
+            for (int step = 0; step < 10; ++step) {
+                world.step();
+                begins += world.events().sensor_begins.size();
+            }
+            CHECK(begins == 1);
+        }
+}
+
 TEST_CASE("a body that is stopped before a sensor does not enter it") {
     World world = weightless();
     add_static(world, {0.0, 0.0}, make_box({0.1f, 4.0f}));

@@ -29,7 +29,9 @@ struct alignas(64) BodyFrame {
 };
 static_assert(sizeof(BodyFrame) == 64);
 
-// Parameters of a body's motion: from its definition, apart from the two lengths, which follow from its shapes.
+inline constexpr std::uint32_t kNoShape = 0xffffffffu;
+
+// Parameters of a body's motion: from its definition, apart from what follows from its shapes.
 struct BodyMotion {
     float gravity_scale = 1.0f;
     float linear_damping = 0.0f;   // 1/s
@@ -37,6 +39,7 @@ struct BodyMotion {
     float reach = 0.0f;            // distance of the farthest point of its shapes from the centre of mass, m
     float smallest_extent = 0.0f;  // of its shapes that are not sensors, m; infinite if there are none
     bool allow_sleep = true;
+    std::uint32_t only_shape = kNoShape;  // index, if it has exactly one: the list of shapes is in other cache lines
 };
 
 inline constexpr std::uint32_t kNoIsland = 0xffffffffu;

@@ -15,6 +15,8 @@ namespace tumble {
 
 namespace {
 
+constexpr std::size_t kLeastBodies = 128;  // in a chunk: about 3 us of work
+
 class ImpactFinder {
 public:
     explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), fast_(simulation.scratch->fast_bodies) {}
@@ -41,13 +43,20 @@ private:
         fast_.clear();
         const BodyStore& bodies = simulation_.bodies;
         const bool has_bullets = std::any_of(bodies.solver_bodies.begin(), bodies.solver_bodies.end(), is_bullet);
-        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+        const auto add_if_fast = [&](std::size_t i, std::vector<std::uint32_t>& found) {
             const SolverBody& body = bodies.solver_bodies[i];
-            if (!(body.flags & kDynamicBody)) continue;
+            if (!(body.flags & kDynamicBody)) return;
             const BodyMotion& motion = bodies.moving[i].motion;
-            if (displacement_in_step(body, motion) <= kContinuousPart * motion.smallest_extent) continue;
+            if (displacement_in_step(body, motion) <= kContinuousPart * motion.smallest_extent) return;
             const std::uint32_t index = bodies.moving[i].body;
-            if (!has_bullets && !may_reach_immovable(simulation_, index)) continue;
+            if (has_bullets || may_reach_immovable(simulation_, index)) found.push_back(index);
+        };
+        Crew& crew = simulation_.crew;
+        ChunkLists<std::uint32_t>& found = simulation_.scratch->chunks.found;
+        crew.work_together(bodies.moving.size(),
+                           [&] { found.fill(crew, bodies.moving.size(), kLeastBodies, add_if_fast); });
+        found.for_each([&](std::uint32_t index) {
+            const SolverBody& body = bodies.solver_bodies[bodies.frames[index].solver_body];
             FastBody fast;
             fast.body = index;
             fast.sweep = sweep_of(bodies, index);
@@ -55,7 +64,7 @@ private:
             for (const ShapeId shape : bodies.records[index].shapes)
                 fast.box = merge(fast.box, box_of_sweep(simulation_.shapes[shape.index].shape, fast.sweep));
             fast_.push_back(fast);
-        }
+        });
         std::sort(fast_.begin(), fast_.end(), [](const FastBody& a, const FastBody& b) { return a.body < b.body; });
     }
 

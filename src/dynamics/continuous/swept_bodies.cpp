@@ -76,18 +76,16 @@ Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
 bool may_reach_immovable(const Simulation& simulation, std::uint32_t body) {
     constexpr float kRounding = 1e-6f;  // of float boxes, relative to their coordinates
     const BodyFrame& frame = simulation.bodies.frames[body];
-    const BodyRecord& record = simulation.bodies.records[body];
+    const BodyMotion& motion = simulation.bodies.moving[frame.solver_body].motion;
     const Vec2 start = to_float(frame.center);
     const Vec2 end = start + simulation.bodies.solver_bodies[frame.solver_body].delta_position;
     const Aabb path = merge({start, start}, {end, end});
     const float farthest =
         std::max({std::abs(path.lower.x), std::abs(path.lower.y), std::abs(path.upper.x), std::abs(path.upper.y)});
-    const float reach = record.motion.reach + kRounding * (record.motion.reach + farthest);
-    bool is_near = std::any_of(record.shapes.begin(), record.shapes.end(),
-                               [&](ShapeId shape) { return simulation.shapes[shape.index].is_sensor; });
-    if (!is_near)
-        simulation.broad.query(
-            enlarged(path, reach), [&](std::uint32_t) { is_near = true; }, ProxyLayer::fixed, ProxyLayer::kinematic);
+    const float reach = motion.reach + kRounding * (motion.reach + farthest);
+    bool is_near = false;
+    simulation.broad.query(
+        enlarged(path, reach), [&](std::uint32_t) { is_near = true; }, ProxyLayer::fixed, ProxyLayer::kinematic);
     return is_near;
 }
 

@@ -27,8 +27,9 @@ void update_box(Simulation& simulation, std::uint32_t swept);
 // A box that covers a shape during its whole sweep, for any rotation.
 Aabb box_of_sweep(const Shape& shape, const Sweep& sweep);
 
-// False if the body has no sensor, and no static or kinematic shape is in a box that contains those of its shapes'
-// sweeps: few bodies need a sweep, which takes two arc tangents.
+// False if a moving body has no sensor, and no static or kinematic shape is in a box that contains those of its
+// shapes' sweeps: few bodies need a sweep, which takes two arc tangents. Sensors of the body are in that box, and in
+// the layer of kinematic shapes.
 bool may_reach_immovable(const Simulation& simulation, std::uint32_t body);
 
 // True if a contact of the body has still to bounce.
