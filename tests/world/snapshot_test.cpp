@@ -169,5 +169,5 @@ TEST_CASE("the size of a snapshot changes only with the version") {
     CHECK(world.save().size() == 12068);
     for (int step = 0; step < 200 && world.counters().contacts < 6; ++step) world.step();
     REQUIRE(world.counters().contacts == 6);
-    CHECK(world.save().size() == 14528);
+    CHECK(world.save().size() == 14534);
 }

@@ -37,7 +37,7 @@ struct Approach {
 };
 
 // Most passes over all contacts read the first cache line alone: it ends with the number of manifold points. The solver
-// reads the first three, and writes the impulses into the first.
+// reads the second too, of few contacts the third, and writes the impulses into the first.
 struct alignas(64) Contact {
     ProxyPair shapes;          // indices, a < b: contacts are sorted by them
     std::uint32_t body_a = 0;  // index
@@ -56,13 +56,14 @@ struct alignas(64) Contact {
     std::int8_t watched = -1;
     bool was_hit = false;             // a hit was reported in the last step
     std::uint8_t skipped_colors = 0;  // of the free colours of the constraint graph, drawn when the contact began
+    bool has_extras = false;          // one of the members from radius_a to tangent_speed is not 0
 
-    Manifold manifold;                  // from A to B; anchors from the bodies' origins
+    Manifold manifold;  // from A to B; anchors from the bodies' origins
+    float friction = 0.0f;
     float speculative_distance = 0.0f;  // m; set when the pair is found
 
     float radius_a = 0.0f;  // of the shapes' rounding, m
     float radius_b = 0.0f;
-    float friction = 0.0f;
     float restitution = 0.0f;
     float rolling_resistance = 0.0f;  // m
     float tangent_speed = 0.0f;       // m/s
@@ -77,10 +78,11 @@ struct alignas(64) Contact {
               self.kind, self.chain_state, self.is_new, self.is_bouncing, self.is_struck, self.is_touching,
               self.was_touching, self.watched, self.was_hit, self.approach, self.reference, self.cache,
               self.speculative_distance, self.radius_a, self.radius_b, self.friction, self.restitution,
-              self.rolling_resistance, self.tangent_speed, self.skipped_colors);
+              self.rolling_resistance, self.tangent_speed, self.skipped_colors, self.has_extras);
     }
 };
 static_assert(offsetof(Contact, manifold) + offsetof(Manifold, normal) == 64);  // the second line
+static_assert(offsetof(Contact, radius_a) == 128);                              // the third
 
 // Loads the first cache lines of a contact.
 inline void prefetch(const Contact& contact, std::size_t lines) {

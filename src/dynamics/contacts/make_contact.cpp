@@ -32,6 +32,8 @@ void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
     contact.rolling_resistance = rolling_resistance * std::max(a.shape.radius(), b.shape.radius());
     if (contact.rolling_resistance == 0.0f) contact.rolling_impulse = 0.0f;
     contact.tangent_speed = a.material.tangent_speed + b.material.tangent_speed;
+    contact.has_extras = contact.radius_a != 0.0f || contact.radius_b != 0.0f || contact.restitution != 0.0f ||
+                         contact.rolling_resistance != 0.0f || contact.tangent_speed != 0.0f;
 }
 
 Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tuning) {
