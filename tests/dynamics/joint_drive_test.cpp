@@ -6,25 +6,15 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <random>
 
 #include "dynamics/rows/joint_angle.hpp"
 #include "dynamics/rows/joint_drive.hpp"
+#include "support/random_numbers.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
-
-class RandomNumbers {
-public:
-    explicit RandomNumbers(unsigned seed) : random_(seed) {}
-
-    float between(float lower, float upper) { return std::uniform_real_distribution<float>(lower, upper)(random_); }
-    bool coin() { return (random_() & 1u) != 0; }
-
-private:
-    std::mt19937 random_;
-};
 
 // A position of which the drive gets bounds first.
 struct BoundedPosition {

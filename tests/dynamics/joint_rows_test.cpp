@@ -4,27 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 
 #include "dynamics/joint_store/joint_store.hpp"
+#include "support/random_numbers.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
 constexpr int kSamples = 200;
-
-class RandomNumbers {
-public:
-    explicit RandomNumbers(unsigned seed) : random_(seed) {}
-
-    float between(float lower, float upper) { return std::uniform_real_distribution<float>(lower, upper)(random_); }
-    Vec2 vector(float size) { return {between(-size, size), between(-size, size)}; }
-
-private:
-    std::mt19937 random_;
-};
 
 // Three dynamic bodies at random poses.
 struct Bodies {

@@ -4,28 +4,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <random>
 #include <vector>
 
 #include "dynamics/joint_store/revolute_block.hpp"
 #include "dynamics/joint_store/revolute_lanes.hpp"
+#include "support/random_numbers.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
-
-class RandomNumbers {
-public:
-    explicit RandomNumbers(unsigned seed) : random_(seed) {}
-
-    float between(float lower, float upper) { return std::uniform_real_distribution<float>(lower, upper)(random_); }
-    Vec2 vector(float size) { return {between(-size, size), between(-size, size)}; }
-    bool chance(float probability) { return between(0.0f, 1.0f) < probability; }
-    std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
-
-private:
-    std::mt19937 random_;
-};
 
 // What a test varies.
 struct Sizes {

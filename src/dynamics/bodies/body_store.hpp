@@ -26,6 +26,8 @@ struct alignas(64) BodyFrame {
 
     // The change of velocity per unit impulse along each world axis.
     Vec2 inv_masses() const { return {locks_x ? 0.0f : inv_mass, locks_y ? 0.0f : inv_mass}; }
+    // Whether an impulse can change its velocity.
+    bool can_move() const { return inv_masses() != Vec2{} || inv_inertia > 0.0f; }
 };
 static_assert(sizeof(BodyFrame) == 64);
 

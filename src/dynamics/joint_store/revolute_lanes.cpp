@@ -22,8 +22,6 @@ constexpr std::uint32_t kAlone = kSpringPart + kMotorPart + kLimitsPart + 1;
 
 constexpr std::size_t kLeastLoaded = 12;  // blocks in a chunk: about 3 us of work
 
-bool can_move(const BodyFrame& body) { return body.inv_mass > 0.0f || body.inv_inertia > 0.0f; }
-
 }  // namespace
 
 RevoluteLanes::RevoluteLanes() = default;
@@ -71,7 +69,7 @@ void RevoluteLanes::add_bundle(const JointBlocks& order, std::span<const std::ui
     for_each_joint([&](std::uint32_t i, const RevoluteJoint& joint) {
         std::uint32_t level = 0;
         for (const std::uint32_t body : {joint.body_a(), joint.body_b()})
-            if (can_move(bodies.frames[body])) level = std::max(level, levels_[body]);
+            if (bodies.frames[body].can_move()) level = std::max(level, levels_[body]);
         for (const std::uint32_t body : {joint.body_a(), joint.body_b()}) levels_[body] = level + 1;
         placed_.push_back({level, entries[i].fits_lanes ? joint.drive_parts() : kAlone, i});
     });
@@ -169,7 +167,7 @@ void RevoluteLanes::load(std::span<const RevoluteJoint> joints, const BodyStore&
             const RevoluteJoint& joint = joints[lanes_[kLaneCount * i + static_cast<std::size_t>(lane)]];
             eight[lane] = &joint;
             const auto bit = [&](std::uint32_t body) {
-                return static_cast<std::uint8_t>(static_cast<unsigned>(can_move(bodies.frames[body])) << lane);
+                return static_cast<std::uint8_t>(static_cast<unsigned>(bodies.frames[body].can_move()) << lane);
             };
             block.moved_a |= bit(joint.body_a());
             block.moved_b |= bit(joint.body_b());
