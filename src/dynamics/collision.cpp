@@ -22,54 +22,80 @@ StepAhead step_ahead(const Simulation& simulation) {
     return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
 }
 
-// Collides up to eight solid contacts of an array. `newcomers` gets the indices of those that leave
-// ChainState::apart.
+// True if one of the two bodies is not dynamic.
+bool is_on_ground(const BodyStore& bodies, const Contact& contact) {
+    return contact.manifold.point_count > 0 &&
+           (!bodies.is_dynamic(contact.body_a) || !bodies.is_dynamic(contact.body_b));
+}
+
+GroundContact ground_contact(const BodyStore& bodies, const Contact& contact, std::size_t index) {
+    return {bodies.is_dynamic(contact.body_a) ? contact.shapes.a : contact.shapes.b, static_cast<std::uint32_t>(index)};
+}
+
+// Collides up to eight solid contacts of an array.
 void collide_eight(const Simulation& simulation, std::span<Contact* const> eight, const Contact* array,
-                   CollisionCounts& counts, std::vector<std::uint32_t>& newcomers) {
+                   CollidedChunk& chunk) {
     if (eight.empty()) return;
     unsigned apart = 0;
     for (std::size_t i = 0; i < eight.size(); ++i)
         apart |= static_cast<unsigned>(eight[i]->chain_state == ChainState::apart) << i;
     const StepAhead ahead = step_ahead(simulation);
     const unsigned in_full = collide_contacts(eight, simulation.bodies, simulation.shapes, ahead);
+    CollisionCounts& counts = chunk.counts;
     counts.pairs += static_cast<std::int64_t>(eight.size());
     for (std::size_t i = 0; i < eight.size(); ++i) {
         Contact& contact = *eight[i];
+        const auto index = static_cast<std::size_t>(&contact - array);
+        if (is_on_ground(simulation.bodies, contact))
+            chunk.grounds.push_back(ground_contact(simulation.bodies, contact, index));
         if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
         counts.crossings += contact.chain_state == ChainState::crossing;
         if (apart >> i & 1 && contact.chain_state != ChainState::apart)
-            newcomers.push_back(static_cast<std::uint32_t>(&contact - array));
+            chunk.newcomers.push_back(static_cast<std::uint32_t>(index));
         if (!(in_full >> i & 1)) continue;
         ++counts.full;
         counts.iterations += contact.cache.iterations;
     }
 }
 
-// Collides the solid contacts of an array from the index `first` on.
+void find_ground_contacts(Simulation& simulation) {
+    const std::vector<Contact>& contacts = simulation.contacts.all();
+    std::vector<GroundContact>& grounds = simulation.scratch->ground_contacts;
+    grounds.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (is_on_ground(simulation.bodies, contacts[i]))
+            grounds.push_back(ground_contact(simulation.bodies, contacts[i], i));
+}
+
+// Collides the solid contacts of an array from the index `first` on, and adds those on the ground to ground_contacts.
 void collide_contacts_from(Simulation& simulation, std::vector<Contact>& contacts, std::size_t first) {
     Crew& crew = simulation.crew;
     ChunkScratch& scratch = simulation.scratch->chunks;
+    std::vector<GroundContact>& grounds = simulation.scratch->ground_contacts;
     const std::size_t count = contacts.size() - first;
-    scratch.collision_counts.assign(crew.chunk_count(count, kLeastCollided), {});
-    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
-        CollisionCounts own;
+    const std::size_t used_chunks = crew.chunk_count(count, kLeastCollided);
+    if (scratch.collided.size() < used_chunks) scratch.collided.resize(used_chunks);
+    crew.for_each_chunk(count, kLeastCollided, [&](const Chunk& chunk) {
+        CollidedChunk& own = scratch.collided[chunk.index];
+        own.clear();
         Contact* eight[kLaneCount];
         std::size_t used = 0;
         for (std::size_t i = first + chunk.begin; i < first + chunk.end; ++i) {
             if (contacts[i].kind == ContactKind::solid) eight[used++] = &contacts[i];
             if (used < std::size_t{kLaneCount}) continue;
-            collide_eight(simulation, eight, contacts.data(), own, newcomers);
+            collide_eight(simulation, eight, contacts.data(), own);
             used = 0;
         }
-        collide_eight(simulation, {eight, used}, contacts.data(), own, newcomers);
-        scratch.collision_counts[chunk.index] = own;
-    };
-    scratch.found.fill_by_chunk(crew, count, kLeastCollided, collide_chunk);
-    for (const CollisionCounts& own : scratch.collision_counts) simulation.report.collided += own;
+        collide_eight(simulation, {eight, used}, contacts.data(), own);
+    });
+    scratch.newcomers.clear();
+    for (const CollidedChunk& own : std::span(scratch.collided).first(used_chunks)) {
+        simulation.report.collided += own.counts;
+        scratch.newcomers.insert(scratch.newcomers.end(), own.newcomers.begin(), own.newcomers.end());
+        grounds.insert(grounds.end(), own.grounds.begin(), own.grounds.end());
+    }
     simulation.scratch->ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
     simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
-    scratch.newcomers.clear();
-    scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
     ChainContacts chains = simulation.chain_contacts();
     chains.woken_rounds = scratch.woken_rounds;
     follow_neighbors(chains, contacts, scratch.newcomers);
@@ -183,6 +209,7 @@ void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
     simulation.scratch->ordered_impacts.bounces.has_candidates = false;
     simulation.scratch->chunks.woken_rounds.clear();
+    simulation.scratch->ground_contacts.clear();
     collide_contacts_from(simulation, simulation.contacts.all(), 0);
 }
 
@@ -190,6 +217,7 @@ void collide_woken(Simulation& simulation) {
     std::vector<Contact>& woken = simulation.contacts.woken();
     TUMBLE_CHECK(woken.empty());
     bool any = wake_touched(simulation, simulation.contacts.all(), 0);
+    if (!any) return;
     for (std::size_t first = 0; any;) {
         start_woken_round(simulation, first);
         collide_contacts_from(simulation, woken, first);
@@ -198,6 +226,7 @@ void collide_woken(Simulation& simulation) {
         first = next;
     }
     simulation.contacts.merge_woken();
+    find_ground_contacts(simulation);
 }
 
 }  // namespace tumble

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "debug/check.hpp"
-#include "dynamics/bodies/divergence.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/collision.hpp"
@@ -114,9 +113,9 @@ void solve(Simulation& simulation, StageClock& clock) {
 // False if a body is not finite.
 bool end_motion(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
-    finalize_poses(simulation.bodies, speed_limits(simulation), simulation.crew);
+    const bool is_finite = finalize_poses(simulation.bodies, speed_limits(simulation), simulation.crew);
     clock.stop(ms.continuous);
-    if (find_diverged(simulation.bodies) != kNoBody) return false;
+    if (!is_finite) return false;
     update_proxies(simulation);
     clock.stop(ms.proxies);
     find_pairs(simulation, EndOf::untouched_contacts);
@@ -128,7 +127,7 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
 
 }  // namespace
 
-void step(Simulation& simulation) {
+bool step(Simulation& simulation) {
     simulation.report.times = StageTimes{};
     const std::size_t amount = amount_of_work(simulation);
     StageClock clock(amount >= kLeastTimed);
@@ -145,6 +144,7 @@ void step(Simulation& simulation) {
         clock.stop(simulation.report.times.sleep);
     }
     simulation.report.times.step = clock.total();
+    return is_finite;
 }
 
 // The boxes of a body that moves less than its speculative distance have margin enough.

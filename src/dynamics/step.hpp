@@ -8,9 +8,9 @@ namespace tumble {
 
 struct Simulation;
 
-// Advances by one step. Call find_diverged() afterwards: if a body is not finite, the stages after the final poses were
-// skipped, and the simulation cannot go on.
-void step(Simulation& simulation);
+// Advances by one step. Returns false if find_diverged() now finds a body that is not finite: the stages after the
+// final poses were skipped, and the simulation cannot go on.
+bool step(Simulation& simulation);
 
 // Stages of step(), in order; those of collision.hpp, dynamics/stages and dynamics/continuous come between. README.md
 // has the whole list.

@@ -64,13 +64,13 @@ void World::set_gravity(Vec2 gravity) {
 
 void World::Impl::step() {
     if (diverged_body == kNoBody) {
-        tumble::step(simulation);
+        const bool is_finite = tumble::step(simulation);
         for (const JointId id : simulation.events.broken_joints)
             if (simulation.joints.ids.is_live(id))  // a broken gear may be destroyed already, with one of its joints
                 destroy_joint(id);
         ++step_count;
         counters = count();
-        diverged_body = find_diverged(simulation.bodies);
+        if (!is_finite) diverged_body = find_diverged(simulation.bodies);
     }
     if (diverged_body != kNoBody) throw SimulationDiverged(simulation.bodies.ids.at(diverged_body), step_count);
 }

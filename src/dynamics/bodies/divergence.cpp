@@ -10,8 +10,7 @@ namespace tumble {
 namespace {
 
 std::uint32_t find_moved_static(const BodyStore& bodies) {
-    const SolverBody& body = bodies.solver_bodies[kStaticSolverBody];
-    if (body.velocity == Vec2{} && body.angular_velocity == 0.0f) return kNoBody;
+    if (!has_moved_static(bodies)) return kNoBody;
     std::uint32_t first = kNoBody;
     for (const BodyId id : bodies.ids.live()) {
         if (bodies.frames[id.index].solver_body != kStaticSolverBody || bodies.is_asleep(id.index)) continue;
@@ -29,9 +28,7 @@ std::uint32_t find_diverged(const BodyStore& bodies) {
         const SolverBody& body = bodies.solver_bodies[i];
         TUMBLE_CHECK(bodies.moving[i].body < bodies.frames.size());
         const BodyFrame& frame = bodies.frames[bodies.moving[i].body];
-        const bool finite = is_finite(body.velocity) && std::isfinite(body.angular_velocity) &&
-                            is_finite(frame.center) && std::isfinite(frame.pose.rotation.c + frame.pose.rotation.s);
-        if (!finite) first = std::min(first, bodies.moving[i].body);
+        if (!is_finite(body, frame)) first = std::min(first, bodies.moving[i].body);
     }
     return first != kNoBody ? first : find_moved_static(bodies);
 }

@@ -1,10 +1,12 @@
 #include "dynamics/bodies/final_poses.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/ballistics.hpp"
+#include "dynamics/bodies/divergence.hpp"
 
 namespace tumble {
 
@@ -55,7 +57,8 @@ namespace {
 
 constexpr std::size_t kLeastPoses = 256;  // in a chunk: about 3 us of work
 
-void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
+// Returns false if the body is not finite.
+bool finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
     SolverBody& body = bodies.solver_bodies[i];
     const std::uint32_t index = bodies.moving[i].body;
     BodyFrame& frame = bodies.frames[index];
@@ -72,14 +75,20 @@ void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) 
     body.delta_rotation = {};
     bodies.moving[i].acceleration = {};
     bodies.moving[i].angular_acceleration = 0.0f;
+    return is_finite(body, frame);
 }
 
 }  // namespace
 
-void finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew) {
-    crew.for_each(bodies.solver_bodies.size(), kLeastPoses, [&](std::size_t i) {
-        if (i != kStaticSolverBody) finalize_pose(bodies, i, limits);
+bool finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew) {
+    std::atomic<bool> all_finite = !has_moved_static(bodies);
+    crew.for_each_chunk(bodies.solver_bodies.size(), kLeastPoses, [&](const Chunk& chunk) {
+        bool finite = true;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+            if (i != kStaticSolverBody) finite &= finalize_pose(bodies, i, limits);
+        if (!finite) all_finite.store(false, std::memory_order_relaxed);
     });
+    return all_finite;
 }
 
 }  // namespace tumble

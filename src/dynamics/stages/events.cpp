@@ -195,7 +195,7 @@ void find_changed_contacts(Simulation& simulation) {
                                                    [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
                                                        ContactCounts own;
                                                        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                                                           prefetch_after(contacts, i, 2);
+                                                           prefetch_after(contacts, i, 1);
                                                            const int shown = shown_points(contacts[i]);
                                                            own.contacts += shown > 0;
                                                            own.points += static_cast<std::size_t>(shown);

@@ -58,24 +58,6 @@ bool rises_above(const GroundPlane& ground, const GroundPlane& plane, double tol
     return highest + double{shape.radius()} > plane.height + tolerance;
 }
 
-void find_ground_contacts(Simulation& simulation) {
-    constexpr std::size_t kLeastGround = 512;  // in a chunk: about 3 us of work
-    const std::vector<Contact>& contacts = simulation.contacts.all();
-    ChunkLists<GroundContact>& lists = simulation.scratch->chunks.ground_contacts;
-    lists.fill(simulation.crew, contacts.size(), kLeastGround, [&](std::size_t i, std::vector<GroundContact>& list) {
-        const Contact& contact = contacts[i];
-        prefetch_after(contacts, i, 1);
-        if (contact.manifold.point_count == 0) return;
-        const bool on_a = !simulation.bodies.is_dynamic(contact.body_a);
-        const bool on_b = !simulation.bodies.is_dynamic(contact.body_b);
-        if (on_a || on_b) list.push_back({on_a ? contact.shapes.b : contact.shapes.a, static_cast<std::uint32_t>(i)});
-    });
-    std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
-    found.clear();
-    lists.for_each([&](GroundContact contact) { found.push_back(contact); });
-    std::sort(found.begin(), found.end());
-}
-
 bool is_with_chain(const Simulation& simulation, const Contact& contact) {
     return simulation.shapes[contact.shapes.a].link || simulation.shapes[contact.shapes.b].link;
 }
@@ -99,13 +81,14 @@ void remove_if_below(Simulation& simulation, std::uint32_t moving_shape, std::ui
 }  // namespace
 
 void smooth_seams(Simulation& simulation) {
-    find_ground_contacts(simulation);
-    const std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
+    std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
+    std::sort(found.begin(), found.end());
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)
             for (std::size_t other = first; other < last; ++other)
-                remove_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
+                if (i != other)
+                    remove_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
     }
 }
 

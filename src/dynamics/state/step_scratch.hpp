@@ -68,6 +68,22 @@ struct CollisionCounts {
     }
 };
 
+// What the collision of a chunk of contacts found. A cache line of its own, as other threads write its neighbours.
+struct alignas(64) CollidedChunk {
+    CollisionCounts counts;
+    std::vector<std::uint32_t> newcomers;  // contacts that left ChainState::apart
+    std::vector<GroundContact> grounds;
+
+    void clear() {
+        counts = {};
+        newcomers.clear();
+        grounds.clear();
+    }
+    std::size_t bytes() const {
+        return newcomers.capacity() * sizeof(std::uint32_t) + grounds.capacity() * sizeof(GroundContact);
+    }
+};
+
 // Contacts with at least one manifold point after a step, awake and asleep.
 struct ContactCounts {
     std::size_t contacts = 0;
@@ -83,19 +99,19 @@ struct StartVelocity {
 // What the chunks of a stage find. The stages use it one after the other.
 struct ChunkScratch {
     ChunkLists<std::uint32_t> found;          // indices of contacts
-    std::vector<std::uint32_t> newcomers;     // contacts that left ChainState::apart
+    std::vector<std::uint32_t> newcomers;     // of all chunks
     std::vector<std::uint32_t> woken_rounds;  // the first index of each round in ContactStore::woken()
     std::vector<std::uint32_t> kept_shapes;   // a shape of each contact that stays although its boxes are apart
     ChunkLists<BroadPhase::MovedProxy> moved_proxies;
-    ChunkLists<GroundContact> ground_contacts;
-    std::vector<CollisionCounts> collision_counts;  // by chunk
-    std::vector<ContactCounts> contact_counts;      // by chunk
+    std::vector<CollidedChunk> collided;        // by chunk
+    std::vector<ContactCounts> contact_counts;  // by chunk
 
     std::size_t bytes() const {
-        return found.bytes() +
+        std::size_t bytes = collided.capacity() * sizeof(CollidedChunk);
+        for (const CollidedChunk& chunk : collided) bytes += chunk.bytes();
+        return bytes + found.bytes() +
                (newcomers.capacity() + woken_rounds.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
-               moved_proxies.bytes() + ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
-               contact_counts.capacity() * sizeof(ContactCounts);
+               moved_proxies.bytes() + contact_counts.capacity() * sizeof(ContactCounts);
     }
 };
 
@@ -106,7 +122,7 @@ struct StepScratch {
     // Constraints.
     ContactSolver contact_solver;
     JointSystem joint_system;
-    std::vector<GroundContact> ground_contacts;  // found by smooth_seams(), and read by keep_out_of_immovable()
+    std::vector<GroundContact> ground_contacts;  // with points, found by the collision
 
     // Falling asleep.
     IslandFinder islands;
