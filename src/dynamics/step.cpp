@@ -60,6 +60,14 @@ JointContext joint_context(const Simulation& simulation) {
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
+// Joints may connect any bodies. Contacts, blocks and bodies of a thousand boxes fill half of a cache of 2 MB.
+RegionRule region_rule(const Simulation& simulation) {
+    constexpr std::size_t kLeastBodies = 1000;
+    if (simulation.joints.awake_count() > 0) return {};
+    if (simulation.crew.divides_all()) return {1, 2};
+    return {kLeastBodies, 2 * simulation.crew.thread_count()};
+}
+
 constexpr std::size_t kLeastBoxes = 128;  // in a chunk: about 3 us of work
 
 // A measure of the work of a step: see Threads::least_work.
@@ -97,13 +105,33 @@ void begin_step(Simulation& simulation, StageClock& clock) {
     clock.stop(ms.collide);
 }
 
+void run_substep(Simulation& simulation, const ContactSolver::Region& region, Crew& crew) {
+    const JointContext context = joint_context(simulation);
+    const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
+    ContactSolver& contacts = simulation.scratch->contact_solver;
+    const BodyRange range{region.first_body, region.end_body};
+    integrate_velocities(simulation.bodies, range, simulation.settings.gravity, context.h, speed_limits(simulation),
+                         crew);
+    JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
+    if (system) system->warm_start(bodies);
+    simulation.joints.warm_start(bodies, crew);
+    contacts.warm_start(region, bodies, crew);
+    simulation.joints.solve(context, true, bodies, crew);
+    contacts.solve(region, bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
+    if (system) system->solve_chord(simulation.joints, bodies);
+    integrate_positions(simulation.bodies, range, context.h, speed_limits(simulation), crew);
+    simulation.joints.solve(context, false, bodies, crew);
+    contacts.relax(region, bodies, context.inv_h, friction_bound(simulation), crew);
+    if (system) system->project_velocities(simulation.joints, bodies);
+}
+
 void solve(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     prepare_constraints(simulation);
     simulation.report.colors = simulation.scratch->contact_solver.graph().color_count();
     clock.stop(ms.prepare);
     if (simulation.settings.orders_impacts()) begin_flight(simulation);
-    for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
+    run_substeps(simulation);
     if (!simulation.settings.orders_impacts()) bounce(simulation);
     store_results(simulation);
     forget_clamped_impulses(simulation);
@@ -170,7 +198,8 @@ void prepare_constraints(Simulation& simulation) {
     TUMBLE_CHECK(simulation.contacts.woken().empty());
     const BounceBy bounces = settings.orders_impacts() ? BounceBy::impacts : BounceBy::solver;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
-                                               settings.gravity, settings.substep_duration(), bounces, simulation.crew);
+                                               settings.gravity, settings.substep_duration(), bounces,
+                                               region_rule(simulation), simulation.crew);
     simulation.joints.prepare(simulation.bodies, settings.joints, settings.substep_duration(), simulation.crew);
     simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
         return simulation.scratch->contact_solver.graph().has_contact(solver_body);
@@ -180,24 +209,12 @@ void prepare_constraints(Simulation& simulation) {
                                                  settings.substep_duration(), settings.tuning.push_out_speed);
 }
 
-void run_substep(Simulation& simulation) {
+void run_substeps(Simulation& simulation) {
     TUMBLE_CHECK(simulation.settings.substeps >= 1);
-    const JointContext context = joint_context(simulation);
-    const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
-    ContactSolver& contacts = simulation.scratch->contact_solver;
-    Crew& crew = simulation.crew;
-    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
-    JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
-    if (system) system->warm_start(bodies);
-    simulation.joints.warm_start(bodies, crew);
-    contacts.warm_start(bodies, crew);
-    simulation.joints.solve(context, true, bodies, crew);
-    contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
-    if (system) system->solve_chord(simulation.joints, bodies);
-    integrate_positions(simulation.bodies, context.h, speed_limits(simulation), crew);
-    simulation.joints.solve(context, false, bodies, crew);
-    contacts.relax(bodies, context.inv_h, friction_bound(simulation), crew);
-    if (system) system->project_velocities(simulation.joints, bodies);
+    const auto run = [&](const ContactSolver::Region& region, Crew& crew) {
+        for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation, region, crew);
+    };
+    simulation.scratch->contact_solver.for_each_region(simulation.crew, run);
 }
 
 void bounce(Simulation& simulation) {

@@ -16,7 +16,7 @@ bool step(Simulation& simulation);
 // has the whole list.
 void cover_free_motions(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);
-void run_substep(Simulation& simulation);
+void run_substeps(Simulation& simulation);
 void bounce(Simulation& simulation);
 void store_results(Simulation& simulation);
 void forget_clamped_impulses(Simulation& simulation);

@@ -69,6 +69,7 @@ public:
           is_for_tests_(threads.least_work == 0),
           lines_(static_cast<std::size_t>(count)) {}
 
+    std::size_t thread_count() const { return lines_.size(); }
     bool is_together() const { return is_together_; }
 
     std::size_t divide(std::size_t count, std::size_t least) const {
@@ -199,6 +200,7 @@ Crew::Crew(const Threads& threads) : least_work_(static_cast<std::size_t>(thread
     if (count > 1) team_ = std::make_unique<Team>(threads, count);
 }
 
+std::size_t Crew::thread_count() const { return team_ ? team_->thread_count() : 1; }
 bool Crew::is_together() const { return team_->is_together(); }
 std::size_t Crew::divide(std::size_t count, std::size_t least) const { return team_->divide(count, least); }
 void Crew::run(const std::function<void()>& work) { team_->run(work); }

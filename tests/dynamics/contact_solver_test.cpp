@@ -151,7 +151,7 @@ TEST_CASE("the contacts of a colour are in the order of parts of the solver bodi
     std::ranges::reverse(tangle.contacts);
     tangle.graph.build(tangle.contacts, tangle.bodies, crew);
     std::set<std::size_t> parts;
-    for (const ConstraintGraph::Color& color : tangle.graph.colors()) {
+    for (const ConstraintGraph::Color& color : tangle.graph.colors(tangle.graph.regions()[0])) {
         std::size_t last = 0;
         for (std::size_t block = color.begin; color.is_independent && block < color.end; ++block) {
             for (const std::uint32_t index : tangle.graph.block(block)) {
@@ -307,7 +307,7 @@ TEST_CASE("a body that friction alone has pushed counts as pushed") {
         CAPTURE(tangent);
         auto [bodies, contacts, graph, blocks, extras] = make_ball_on_ground(0.01f);
         blocks[0].points[0].applied_tangent[0] = tangent;
-        store_impulses(blocks, graph, contacts, bodies.solver_bodies, crew);
+        store_impulses(blocks, graph, graph.regions()[0], contacts, bodies.solver_bodies, crew);
         CHECK(contacts[0].applied[0].tangent == tangent);
         CHECK(((bodies.solver_bodies[1].flags & kPushedBody) != 0) == (tangent != 0.0f));
     }

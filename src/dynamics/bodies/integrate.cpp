@@ -133,8 +133,10 @@ bool are_free(const SolverBody* bodies) {
 
 }  // namespace
 
-void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits, Crew& crew) {
+void integrate_velocities(BodyStore& bodies, const BodyRange& range, Vec2 gravity, float h, const SpeedLimits& limits,
+                          Crew& crew) {
     TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
+    TUMBLE_CHECK(range.end <= bodies.moving.size());
     TUMBLE_CHECK(h > 0.0f);
     const auto integrate_one = [&](std::size_t i) {
         SolverBody& body = bodies.solver_bodies[i];
@@ -142,31 +144,33 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedL
         integrate_velocity(body, bodies.moving[i], gravity, h);
         clamp_within_step(bodies, i, limits);
     };
-    crew.for_each_chunk(bodies.solver_bodies.size(), kLeastIntegrated, [&](const Chunk& chunk) {
-        std::size_t i = chunk.begin;
-        for (; i + kLaneCount <= chunk.end; i += kLaneCount) {
+    crew.for_each_chunk(range.end - range.begin, kLeastIntegrated, [&](const Chunk& chunk) {
+        std::size_t i = range.begin + chunk.begin;
+        const std::size_t end = range.begin + chunk.end;
+        for (; i + kLaneCount <= end; i += kLaneCount) {
             SolverBody* const eight = &bodies.solver_bodies[i];
             if (!are_free(eight))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) integrate_one(k);
             else if (integrate_eight_velocities(eight, &bodies.moving[i], gravity, h, limits))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) clamp_within_step(bodies, k, limits);
         }
-        for (; i < chunk.end; ++i) integrate_one(i);
+        for (; i < end; ++i) integrate_one(i);
     });
 }
 
-void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits, Crew& crew) {
+void integrate_positions(BodyStore& bodies, const BodyRange& range, float h, const SpeedLimits& limits, Crew& crew) {
     const auto integrate_one = [&](std::size_t i) {
         if (i == kStaticSolverBody) return;
         if (bodies.solver_bodies[i].flags & kDynamicBody) clamp_within_step(bodies, i, limits);
         integrate_position(bodies.solver_bodies[i], h, limits);
     };
-    crew.for_each_chunk(bodies.solver_bodies.size(), kLeastIntegrated, [&](const Chunk& chunk) {
-        std::size_t i = chunk.begin;
-        for (; i + kLaneCount <= chunk.end; i += kLaneCount)
+    crew.for_each_chunk(range.end - range.begin, kLeastIntegrated, [&](const Chunk& chunk) {
+        std::size_t i = range.begin + chunk.begin;
+        const std::size_t end = range.begin + chunk.end;
+        for (; i + kLaneCount <= end; i += kLaneCount)
             if (!integrate_eight_positions(&bodies.solver_bodies[i], h, limits))
                 for (std::size_t k = i; k < i + kLaneCount; ++k) integrate_one(k);
-        for (; i < chunk.end; ++i) integrate_one(i);
+        for (; i < end; ++i) integrate_one(i);
     });
 }
 

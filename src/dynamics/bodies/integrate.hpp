@@ -8,12 +8,19 @@
 
 namespace tumble {
 
+// Solver bodies from `begin` up to `end`.
+struct BodyRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
 // Dynamic bodies: v += h (g + F / m), then the damping v / (1 + h c) and the speed limits, so that constraints
 // propagate no more speed than a body may have. Other bodies keep their velocities. `h` is the sub-step, s.
-void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits, Crew& crew);
+void integrate_velocities(BodyStore& bodies, const BodyRange& range, Vec2 gravity, float h, const SpeedLimits& limits,
+                          Crew& crew);
 
 // Advances the deltas of position and rotation by the velocities. The speed limits apply before: at the speeds that
 // contradictory joints may give in a sub-step, the bodies would end farther apart than they were.
-void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits, Crew& crew);
+void integrate_positions(BodyStore& bodies, const BodyRange& range, float h, const SpeedLimits& limits, Crew& crew);
 
 }  // namespace tumble

@@ -87,12 +87,27 @@ std::uint8_t ConstraintGraph::choose_color(const Candidate& contact, const BodyS
     return static_cast<std::uint8_t>(color);
 }
 
-void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew) {
+// A dynamic body of the contact: its solver body.
+std::uint32_t ConstraintGraph::dynamic_body(const Candidate& contact, const BodyStore& bodies) {
+    return bodies.frames[bodies.is_dynamic(contact.body_a) ? contact.body_a : contact.body_b].solver_body;
+}
+
+// Notes for the lower of two bodies that may move that a contact connects it with the higher one.
+void ConstraintGraph::connect(const Candidate& contact, const BodyStore& bodies) {
+    const std::uint32_t a = bodies.frames[contact.body_a].solver_body, b = bodies.frames[contact.body_b].solver_body;
+    const std::uint32_t lower = std::min(a, b);
+    if (lower != kStaticSolverBody) farthest_[lower] = std::max({farthest_[lower], a, b});
+}
+
+void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew,
+                            const RegionRule& rule) {
     const bool was_complete = std::exchange(is_complete_, false);
     const bool contacts_changed = update_candidates(contacts, crew), bodies_changed = update_movers(bodies);
-    if (!was_complete || contacts_changed || bodies_changed) {
+    const bool rule_changed = update(rule_, rule);
+    if (!was_complete || contacts_changed || bodies_changed || rule_changed) {
         find_solved();
         color(bodies);
+        fill_lanes();
     }
     is_complete_ = true;
 }
@@ -108,47 +123,75 @@ void ConstraintGraph::audit() const {
 }
 
 void ConstraintGraph::color(const BodyStore& bodies) {
-    std::array<std::uint32_t, kNoGroup + 1> count{};  // contacts by group
-    used_colors_.assign(bodies.solver_bodies.size(), 0);
+    const std::size_t count = bodies.solver_bodies.size();
+    const bool may_divide = rule_.least_bodies < count;
+    used_colors_.assign(count, 0);
+    farthest_.assign(may_divide ? count : 0, 0);
     groups_.resize(solved_.size());
-    const std::uint64_t scale = (std::uint64_t{kParts} << 32) / bodies.solver_bodies.size();
+    part_count_ = kParts;
+    ends_.assign((kColors + 1) * kParts, 0);
+    const std::uint64_t scale = (std::uint64_t{kParts} << 32) / count;
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         const Candidate& contact = candidates_[solved_[i]];
         const std::uint32_t color = choose_color(contact, bodies);
-        const std::uint32_t body = bodies.is_dynamic(contact.body_a) ? contact.body_a : contact.body_b;
-        const std::uint32_t part = static_cast<std::uint32_t>(bodies.frames[body].solver_body * scale >> 32);
-        TUMBLE_CHECK(part < kParts);
-        groups_[i] = static_cast<std::uint16_t>(color == kNoColor ? kNoGroup : color * kParts + part);
-        ++count[groups_[i]];
+        groups_[i] = color * kParts + static_cast<std::uint32_t>(dynamic_body(contact, bodies) * scale >> 32);
+        TUMBLE_CHECK(groups_[i] < ends_.size());
+        ++ends_[groups_[i]];
+        if (may_divide) connect(contact, bodies);
     }
-    fill_lanes(count);
+    first_bodies_.assign(1, 0);
+    if (may_divide) find_regions(farthest_, rule_, first_bodies_);
+    if (first_bodies_.size() > 1) group_by_region(bodies);
 }
 
-void ConstraintGraph::fill_lanes(std::span<const std::uint32_t, kNoGroup + 1> count) {
-    std::array<std::uint32_t, kNoGroup + 1> next{};  // the first lane of each group
-    color_count_ = 0;
-    colors_.clear();
-    lanes_.clear();
-    // Contacts without a colour come first, with a block for each.
-    std::uint32_t end = count[kNoGroup] * kLaneCount;
-    if (end > 0) colors_.push_back({0, end / kLaneCount, false});
-    for (std::size_t color = 0; color < kColors; ++color) {
-        const std::uint32_t begin = end;
-        for (std::size_t group = color * kParts; group < (color + 1) * kParts; ++group) {
-            next[group] = end;
-            end += count[group];
-        }
-        if (end == begin) continue;
-        end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
-        colors_.push_back({begin / kLaneCount, end / kLaneCount});
-        ++color_count_;
+// The parts are the regions.
+void ConstraintGraph::group_by_region(const BodyStore& bodies) {
+    std::vector<std::uint32_t>& region_of = farthest_;
+    for (std::size_t i = 0; i < first_bodies_.size(); ++i) {
+        const std::size_t end = i + 1 < first_bodies_.size() ? first_bodies_[i + 1] : region_of.size();
+        std::fill(region_of.begin() + first_bodies_[i], region_of.begin() + static_cast<std::ptrdiff_t>(end),
+                  static_cast<std::uint32_t>(i));
     }
+    part_count_ = static_cast<std::uint32_t>(first_bodies_.size());
+    ends_.assign((kColors + 1) * part_count_, 0);
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
+        const std::uint32_t color = groups_[i] / kParts;
+        groups_[i] = color * part_count_ + region_of[dynamic_body(candidates_[solved_[i]], bodies)];
+        ++ends_[groups_[i]];
+    }
+}
+
+void ConstraintGraph::fill_lanes() {
+    colors_.clear();
+    std::uint32_t end = 0, used_colors = 0;
+    const std::size_t region_count = first_bodies_.size();
+    const std::size_t parts_of_region = part_count_ / region_count;
+    regions_.resize(region_count);
+    for (std::size_t region = 0; region < region_count; ++region) {
+        const std::size_t end_body = region + 1 < region_count ? first_bodies_[region + 1] : used_colors_.size();
+        const std::size_t first_color = colors_.size();
+        // Contacts without a colour come first, with a block for each.
+        for (std::uint32_t i = 0; i <= kColors; ++i) {
+            const std::uint32_t color = i == 0 ? kNoColor : i - 1, begin = end;
+            const std::uint32_t lanes = color == kNoColor ? kLaneCount : 1;
+            for (std::size_t part = 0; part < parts_of_region; ++part) {
+                std::uint32_t& of_group = ends_[color * part_count_ + region * parts_of_region + part];
+                end += lanes * std::exchange(of_group, end);
+            }
+            if (end == begin) continue;
+            end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
+            colors_.push_back({begin / kLaneCount, end / kLaneCount, color != kNoColor});
+            if (color != kNoColor) used_colors |= 1u << color;
+        }
+        regions_[region] = {first_bodies_[region], end_body, first_color, colors_.size()};
+    }
+    color_count_ = std::popcount(used_colors);
     lanes_.assign(end, kNoContact);
     for (std::size_t i = 0; i < solved_.size(); ++i) {
-        const std::uint16_t group = groups_[i];
-        TUMBLE_CHECK(next[group] < end);
-        lanes_[next[group]] = solved_[i];
-        next[group] += group == kNoGroup ? kLaneCount : 1;
+        std::uint32_t& next = ends_[groups_[i]];
+        TUMBLE_CHECK(next < end);
+        lanes_[next] = solved_[i];
+        next += groups_[i] >= kNoColor * part_count_ ? kLaneCount : 1;
     }
 }
 

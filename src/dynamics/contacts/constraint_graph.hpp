@@ -15,6 +15,7 @@
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/contact.hpp"
+#include "dynamics/contacts/regions.hpp"
 #include "simd/lane_count.hpp"
 #include "tasks/crew.hpp"
 
@@ -25,13 +26,13 @@ public:
     static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
     // Groups the contacts that are solved into blocks of kLaneCount lanes: those with points that do not bounce.
-    void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew);
+    void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew, const RegionRule& rule = {});
 
     std::size_t block_count() const { return lanes_.size() / kLaneCount; }
     int color_count() const { return color_count_; }
 
-    // The contacts of a block, by lane: indices or kNoContact. Blocks are in the order of solving: contacts without a
-    // colour, contacts between dynamic bodies, contacts with a static or kinematic body.
+    // The contacts of a block, by lane: indices or kNoContact. The blocks of a region are in the order of solving:
+    // contacts without a colour, contacts between dynamic bodies, contacts with a static or kinematic body.
     std::span<const std::uint32_t, kLaneCount> block(std::size_t index) const {
         TUMBLE_CHECK(index < block_count());
         return std::span<const std::uint32_t, kLaneCount>(lanes_.data() + index * kLaneCount, kLaneCount);
@@ -44,8 +45,19 @@ public:
         std::size_t end = 0;
         bool is_independent = true;
     };
+    // A range of the solver bodies, and of the colours of its contacts.
+    struct Region {
+        std::size_t first_body = 0;
+        std::size_t end_body = 0;
+        std::size_t first_color = 0;
+        std::size_t end_color = 0;
+    };
+    std::span<const Region> regions() const { return regions_; }
+
     // In the order of solving: the contacts without a colour, then the colours that have contacts.
-    std::span<const Color> colors() const { return colors_; }
+    std::span<const Color> colors(const Region& region) const {
+        return std::span(colors_).subspan(region.first_color, region.end_color - region.first_color);
+    }
 
     // True if the blocks contain a contact of the dynamic solver body.
     bool has_contact(std::uint32_t solver_body) const {
@@ -59,17 +71,19 @@ public:
     std::size_t bytes() const {
         return candidates_.capacity() * sizeof(Candidate) + movers_.capacity() * sizeof(Mover) +
                (used_colors_.capacity() + solved_.capacity()) * sizeof(std::uint32_t) +
-               groups_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(std::uint32_t) +
-               colors_.capacity() * sizeof(Color);
+               (farthest_.capacity() + groups_.capacity() + ends_.capacity() + first_bodies_.capacity() +
+                lanes_.capacity()) *
+                   sizeof(std::uint32_t) +
+               colors_.capacity() * sizeof(Color) + regions_.capacity() * sizeof(Region);
     }
 
 private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
-    // Parts of the solver bodies. The contacts of a colour are in the order of these parts: a thread works on a part of
-    // each colour and of the bodies, and threads then share few bodies. On two threads, a step of smash takes 4 % less.
+    // The solver bodies have parts: the regions, or if there is one region, this number of them. The contacts of a
+    // colour are in the order of the parts: a thread works on a part of each colour and of the bodies, and threads then
+    // share few bodies. On two threads, a step of smash takes 4 % less.
     static constexpr std::uint32_t kParts = 16;
-    static constexpr std::uint16_t kNoGroup = kColors * kParts;  // of contacts without a colour
 
     // The input of the colouring: one Candidate for each contact, one Mover for each solver body.
     struct Candidate {
@@ -97,17 +111,26 @@ private:
 
     void find_solved();
     void color(const BodyStore& bodies);
-    void fill_lanes(std::span<const std::uint32_t, kNoGroup + 1> count);  // contacts by group
+    static std::uint32_t dynamic_body(const Candidate& contact, const BodyStore& bodies);
+    void connect(const Candidate& contact, const BodyStore& bodies);
+    void group_by_region(const BodyStore& bodies);
+    void fill_lanes();
     std::uint8_t choose_color(const Candidate& contact, const BodyStore& bodies);
 
-    std::vector<Candidate> candidates_;       // by contact
-    std::vector<Mover> movers_;               // by solver body
-    std::vector<std::uint32_t> used_colors_;  // by solver body, a bit for each colour, and for kNoColor
-    std::vector<std::uint32_t> solved_;       // the contacts that are solved: indices
-    std::vector<std::uint16_t> groups_;       // by position in solved_: the colour and the part, or kNoGroup
-    std::vector<std::uint32_t> lanes_;        // index of a contact, or kNoContact
-    std::vector<Color> colors_;
-    int color_count_ = 0;
+    std::vector<Candidate> candidates_;        // by contact
+    std::vector<Mover> movers_;                // by solver body
+    std::vector<std::uint32_t> used_colors_;   // by solver body, a bit for each colour, and for kNoColor
+    std::vector<std::uint32_t> solved_;        // the contacts that are solved: indices
+    std::vector<std::uint32_t> first_bodies_;  // of the regions
+    std::vector<std::uint32_t> farthest_;      // by solver body: see find_regions(); then its region
+    std::vector<std::uint32_t> groups_;        // by position in solved_: colour * part_count_ + part
+    std::vector<std::uint32_t> ends_;          // by group: the number of contacts, then where the next lane is
+    std::vector<std::uint32_t> lanes_;         // index of a contact, or kNoContact
+    std::vector<Color> colors_;                // region by region
+    std::vector<Region> regions_;
+    RegionRule rule_;
+    std::uint32_t part_count_ = 1;
+    int color_count_ = 0;       // of the region that has most
     bool is_complete_ = false;  // false before the first build(), and after an exception
 };
 

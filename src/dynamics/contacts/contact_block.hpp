@@ -94,10 +94,11 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
                       const Tuning& tuning, Vec2 gravity, float h, BounceBy bounces, std::vector<ContactBlock>& blocks,
                       std::vector<ContactExtras>& extras, Crew& crew);
 
-// Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the
-// whole step, which are reported.
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
-                    std::span<SolverBody> bodies, Crew& crew);
+// Writes the impulses of a region into its contacts: those of the last sub-step, which warm start the next step, and
+// those of the whole step, which are reported.
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
+                    const ConstraintGraph::Region& region, std::span<Contact> contacts, std::span<SolverBody> bodies,
+                    Crew& crew);
 
 // Applies the accumulated impulses again.
 void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);

@@ -318,9 +318,10 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
     });
 }
 
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
-                    std::span<SolverBody> bodies, Crew& crew) {
-    for (const ConstraintGraph::Color& color : graph.colors()) {
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
+                    const ConstraintGraph::Region& region, std::span<Contact> contacts, std::span<SolverBody> bodies,
+                    Crew& crew) {
+    for (const ConstraintGraph::Color& color : graph.colors(region)) {
         const auto store = [&](std::size_t i) {
             const std::size_t index = color.begin + i;
             if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1), 1);

@@ -30,10 +30,10 @@ ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
 ContactSolver& ContactSolver::operator=(ContactSolver&&) noexcept = default;
 
 template <class SolveBlocks>
-void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
+void ContactSolver::for_each_color(const Region& region, Crew& crew, SolveBlocks&& solve_blocks) {
     constexpr std::size_t kLeastSolved = 48;  // in a chunk: about 3 us of work
     const std::span<ContactBlock> blocks = blocks_;
-    for (const ConstraintGraph::Color& color : graph_.colors()) {
+    for (const ConstraintGraph::Color& color : graph_.colors(region)) {
         const std::span<ContactBlock> own = blocks.subspan(color.begin, color.end - color.begin);
         if (!color.is_independent) {
             solve_blocks(own);
@@ -46,23 +46,25 @@ void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
 }
 
 void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
-                            Vec2 gravity, float h, BounceBy bounces, Crew& crew) {
-    graph_.build(contacts, bodies, crew);
+                            Vec2 gravity, float h, BounceBy bounces, const RegionRule& rule, Crew& crew) {
+    graph_.build(contacts, bodies, crew, rule);
     prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, bounces, blocks_, extras_, crew);
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
 
-void ContactSolver::warm_start(std::span<SolverBody> bodies, Crew& crew) {
-    for_each_color(crew, [&](std::span<ContactBlock> blocks) { warm_start_contacts(blocks, bodies); });
+void ContactSolver::warm_start(const Region& region, std::span<SolverBody> bodies, Crew& crew) {
+    for_each_color(region, crew, [&](std::span<ContactBlock> blocks) { warm_start_contacts(blocks, bodies); });
 }
 
-void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew) {
-    for_each_color(crew,
+void ContactSolver::solve(const Region& region, std::span<SolverBody> bodies, float inv_h, float push_out_speed,
+                          Crew& crew) {
+    for_each_color(region, crew,
                    [&](std::span<ContactBlock> blocks) { solve_contacts(blocks, bodies, inv_h, push_out_speed); });
 }
 
-void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew) {
-    for_each_color(crew, [&](std::span<ContactBlock> blocks) { relax_contacts(blocks, bodies, inv_h, bound); });
+void ContactSolver::relax(const Region& region, std::span<SolverBody> bodies, float inv_h, FrictionBound bound,
+                          Crew& crew) {
+    for_each_color(region, crew, [&](std::span<ContactBlock> blocks) { relax_contacts(blocks, bodies, inv_h, bound); });
 }
 
 void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew) {
@@ -71,14 +73,18 @@ void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float thresh
         return;
     returned_work_.resize(bodies.size());
     find_returned_work(blocks_, returned_work_);
-    for_each_color(crew, [&](std::span<ContactBlock> blocks) {
-        tumble::apply_restitution(blocks, bodies, threshold, h, returned_work_);
+    for_each_region(crew, [&](const Region& region, Crew& own_crew) {
+        for_each_color(region, own_crew, [&](std::span<ContactBlock> blocks) {
+            tumble::apply_restitution(blocks, bodies, threshold, h, returned_work_);
+        });
     });
 }
 
 void ContactSolver::store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const {
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
-    tumble::store_impulses(blocks_, graph_, contacts, bodies, crew);
+    for_each_region(crew, [&](const Region& region, Crew& own_crew) {
+        tumble::store_impulses(blocks_, graph_, region, contacts, bodies, own_crew);
+    });
 }
 
 std::size_t ContactSolver::bytes() const {
@@ -95,6 +101,14 @@ void ContactSolver::audit() const {
         const std::vector<std::uint32_t> moved = moved_bodies(blocks_[i]);
         if (std::adjacent_find(moved.begin(), moved.end()) != moved.end())
             throw std::logic_error("contact solver: block " + std::to_string(i) + " moves a body twice");
+    }
+    for (const Region& region : graph_.regions()) {
+        for (const ConstraintGraph::Color& color : graph_.colors(region))
+            for (std::size_t i = color.begin; i < color.end; ++i)
+                for (const std::uint32_t body : moved_bodies(blocks_[i]))
+                    if (body < region.first_body || body >= region.end_body)
+                        throw std::logic_error("contact solver: block " + std::to_string(i) +
+                                               " moves a body of another region");
     }
 }
 

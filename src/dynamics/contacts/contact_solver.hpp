@@ -26,12 +26,26 @@ public:
 
     // Once a step, with poses and velocities of its start. `h` is the length of a sub-step, s.
     void prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning, Vec2 gravity,
-                 float h, BounceBy bounces, Crew& crew);
+                 float h, BounceBy bounces, const RegionRule& rule, Crew& crew);
 
-    // In each sub-step, in this order: see contact_block.hpp.
-    void warm_start(std::span<SolverBody> bodies, Crew& crew);
-    void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew);
-    void relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew);
+    using Region = ConstraintGraph::Region;
+
+    // Calls work(region, crew) for each region: if there is one, on this thread, which shares its work by the crew;
+    // otherwise at the same time, each with a crew of one thread.
+    template <class Work>
+    void for_each_region(Crew& crew, Work&& work) const {
+        const std::span<const Region> regions = graph_.regions();
+        if (regions.size() == 1) return work(regions[0], crew);
+        crew.for_each(regions.size(), 1, [&](std::size_t i) {
+            Crew alone;
+            work(regions[i], alone);
+        });
+    }
+
+    // In each sub-step of a region, in this order: see contact_block.hpp.
+    void warm_start(const Region& region, std::span<SolverBody> bodies, Crew& crew);
+    void solve(const Region& region, std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew);
+    void relax(const Region& region, std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew);
 
     // After the last sub-step; with BounceBy::solver.
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew);
@@ -44,9 +58,9 @@ public:
     void audit() const;
 
 private:
-    // Calls solve_blocks(blocks), colour by colour; the blocks of a colour are divided among the crew.
+    // Calls solve_blocks(blocks), colour by colour of a region; the blocks of a colour are divided among the crew.
     template <class SolveBlocks>
-    void for_each_color(Crew& crew, SolveBlocks&& solve_blocks);
+    void for_each_color(const Region& region, Crew& crew, SolveBlocks&& solve_blocks);
 
     ConstraintGraph graph_;
     std::vector<ContactExtras> extras_;  // by block

@@ -10,7 +10,7 @@ namespace tumble {
 
 namespace {
 
-constexpr double kLargestAngle = 1e6;
+constexpr double kLargestSweepAngle = 1e6;
 
 double largest_angle(const Sweep& sweep) { return std::abs(sweep.start_angle) + std::abs(sweep.turn); }
 
@@ -38,8 +38,8 @@ Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep
     const double angles = largest_angle(sweep_a) * a_.extent + largest_angle(sweep_b) * b_.extent;
     error_ = kUnitRoundoff * (32.0 * scale_ + 4.0 * angles + 16.0 * reach);
     const CorePair pair{a_.core, b_.core, separation_, scale_};
-    is_valid_ = tumble::is_valid(pair, a, b) && largest_angle(sweep_a) <= kLargestAngle &&
-                largest_angle(sweep_b) <= kLargestAngle && reach >= 0.0 && reach <= kLargestScale;
+    is_valid_ = tumble::is_valid(pair, a, b) && largest_angle(sweep_a) <= kLargestSweepAngle &&
+                largest_angle(sweep_b) <= kLargestSweepAngle && reach >= 0.0 && reach <= kLargestScale;
 }
 
 [[gnu::always_inline]] inline void Motion::Body::turn(double fraction, Core& core_there, DVec2& center) const {

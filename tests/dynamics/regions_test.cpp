@@ -1,0 +1,159 @@
+// Regions of solver bodies that no contact connects, and that they do not change the result.
+#include "dynamics/contacts/regions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "dynamics/contacts/contact_block.hpp"
+#include "dynamics/contacts/contact_solver.hpp"
+#include "support/random_numbers.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+Crew crew;  // this thread alone
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // of solver bodies, the lower one first
+
+bool may_start_at(std::uint32_t body, const std::vector<Edge>& edges) {
+    return std::ranges::none_of(edges, [&](const Edge& edge) { return edge.first < body && body <= edge.second; });
+}
+
+// The same by its definition: as many regions of at least `least` bodies as possible, each as short as possible.
+std::vector<std::uint32_t> expected_regions(std::uint32_t count, const std::vector<Edge>& edges, std::uint32_t least) {
+    std::vector<std::uint32_t> first{0};
+    for (std::uint32_t i = 1; i < count; ++i)
+        if (i - first.back() >= least && count - i >= least && may_start_at(i, edges)) first.push_back(i);
+    return first;
+}
+
+// Clusters of dynamic bodies, side by side among the solver bodies, and a static and a kinematic body.
+struct Clusters {
+    BodyStore bodies;
+    std::vector<Contact> contacts;
+
+    explicit Clusters(RandomNumbers& random) {
+        const std::uint32_t ground = add(random, BodyType::static_body);
+        const std::uint32_t lift = add(random, BodyType::kinematic_body);
+        for (int cluster = 0; cluster < 5; ++cluster) {
+            std::vector<std::uint32_t> own;
+            for (std::size_t i = 0; i < 3 + random.below(8); ++i) own.push_back(add(random, BodyType::dynamic_body));
+            for (std::size_t i = 1; i < own.size(); ++i) touch(random, own[random.below(i)], own[i]);
+            touch(random, ground, own[random.below(own.size())]);
+            if (cluster == 0) touch(random, lift, own.back());
+        }
+    }
+
+private:
+    std::uint32_t add(RandomNumbers& random, BodyType type) {
+        BodyDef def;
+        def.type = type;
+        if (type != BodyType::static_body) def.velocity = random.vector(1.0f);
+        const BodyId id = bodies.create(def);
+        bodies.set_mass(id,
+                        type == BodyType::dynamic_body ? BodyMass{random.between(1.0f, 3.0f), {}, 1.0f} : BodyMass{},
+                        1.0f, 1.0f);
+        return id.index;
+    }
+
+    void touch(RandomNumbers& random, std::uint32_t a, std::uint32_t b) {
+        Contact contact;
+        contact.shapes = {a, b};
+        contact.body_a = a;
+        contact.body_b = b;
+        contact.friction = 0.5f;
+        const Rotation turn = make_rotation(double{random.between(-3.0f, 3.0f)});
+        contact.manifold.normal = {turn.c, turn.s};
+        contact.manifold.point_count = 1;
+        contact.manifold.points[0] = {random.vector(1.0f), random.vector(1.0f), random.between(-0.01f, 0.01f), 0};
+        contact.skipped_colors = static_cast<std::uint8_t>(random.below(4));
+        contacts.push_back(contact);
+    }
+};
+
+// Solves the contacts of each region, the last region first. Returns the number of regions.
+std::size_t solve(Clusters& clusters, const RegionRule& rule) {
+    constexpr float kH = 1.0f / 240.0f;
+    ContactSolver solver;
+    BodyStore& bodies = clusters.bodies;
+    solver.prepare(clusters.contacts, bodies, make_tuning(1.0f, {0.0f, -10.0f}, 4.0f * kH), {0.0f, -10.0f}, kH,
+                   BounceBy::solver, rule, crew);
+    const std::span<const ContactSolver::Region> regions = solver.graph().regions();
+    for (std::size_t i = regions.size(); i-- > 0;) {
+        for (int substep = 0; substep < 4; ++substep) {
+            solver.warm_start(regions[i], bodies.solver_bodies, crew);
+            solver.solve(regions[i], bodies.solver_bodies, 1.0f / kH, 3.0f, crew);
+            solver.relax(regions[i], bodies.solver_bodies, 1.0f / kH, FrictionBound::biased, crew);
+        }
+    }
+    solver.store_impulses(clusters.contacts, bodies.solver_bodies, crew);
+    solver.audit();
+    return regions.size();
+}
+
+}  // namespace
+
+TEST_CASE("no contact connects two regions, and no region is smaller than the rule allows") {
+    RandomNumbers random(3);
+    std::size_t divided = 0;
+    for (int round = 0; round < 300; ++round) {
+        const auto count = static_cast<std::uint32_t>(2 + random.below(60));
+        const auto least = static_cast<std::uint32_t>(1 + random.below(6));
+        std::vector<std::uint32_t> farthest(count, 0);
+        std::vector<Edge> edges;
+        for (std::size_t i = 0; i < random.below(count); ++i) {
+            const auto lower = static_cast<std::uint32_t>(1 + random.below(count - 1));
+            const auto higher = static_cast<std::uint32_t>(std::min<std::size_t>(lower + random.below(8), count - 1));
+            edges.emplace_back(lower, higher);
+            farthest[lower] = std::max(farthest[lower], higher);
+        }
+        const std::vector<std::uint32_t> expected = expected_regions(count, edges, least);
+        std::vector<std::uint32_t> first;
+        find_regions(farthest, {least, 2}, first);
+        CHECK(first == expected);
+        find_regions(farthest, {least, expected.size() + 1}, first);
+        CHECK(first == std::vector<std::uint32_t>{0});
+        divided += expected.size() > 1;
+    }
+    CHECK(divided > 100);
+}
+
+TEST_CASE("regions solved in any order give the same bits as one region") {
+    RandomNumbers random(8);
+    for (int round = 0; round < 20; ++round) {
+        Clusters whole(random), divided = whole;
+        CHECK(solve(whole, {}) == 1);
+        CHECK(solve(divided, {1, 2}) >= 4);
+        for (std::size_t i = 0; i < whole.bodies.solver_bodies.size(); ++i) {
+            const SolverBody &a = whole.bodies.solver_bodies[i], &b = divided.bodies.solver_bodies[i];
+            CHECK(a.velocity == b.velocity);
+            CHECK(a.angular_velocity == b.angular_velocity);
+        }
+        for (std::size_t i = 0; i < whole.contacts.size(); ++i) {
+            CHECK(whole.contacts[i].applied[0].normal == divided.contacts[i].applied[0].normal);
+            CHECK(whole.contacts[i].impulses[0].tangent == divided.contacts[i].impulses[0].tangent);
+        }
+    }
+}
+
+// The graph is kept while contacts and bodies stay the same: another rule divides it anew.
+TEST_CASE("a graph follows the rule of its regions") {
+    RandomNumbers random(9);
+    const Clusters clusters(random);
+    ConstraintGraph graph;
+    for (const RegionRule& rule :
+         {RegionRule{}, RegionRule{1, 2}, RegionRule{6, 2}, RegionRule{1, 100}, RegionRule{}}) {
+        ConstraintGraph fresh;
+        fresh.build(clusters.contacts, clusters.bodies, crew, rule);
+        graph.build(clusters.contacts, clusters.bodies, crew, rule);
+        REQUIRE(graph.block_count() == fresh.block_count());
+        CHECK(graph.regions().size() == fresh.regions().size());
+        for (std::size_t i = 0; i < fresh.block_count(); ++i) CHECK(std::ranges::equal(graph.block(i), fresh.block(i)));
+    }
+}
