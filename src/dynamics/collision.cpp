@@ -106,13 +106,12 @@ bool may_end_anywhere(const Simulation& simulation) {
     return simulation.shapes.has_destroyed() || simulation.filters_changed;
 }
 
-// Keeps the contacts that touched in this step, and notes a shape of each: its proxy is touched when the search for
-// pairs has ended, so that the next step ends the contact.
+// Keeps the contacts that touched in this step, and notes a shape of each, so that a later search ends them.
 void keep_touched(Simulation& simulation, ChunkLists<std::uint32_t>& ended) {
     ended.erase_if([&](std::uint32_t i) {
         const Contact& contact = simulation.contacts.all()[i];
         const bool has_touched = contact.kind == ContactKind::solid && contact.is_touching && !contact.is_new;
-        if (has_touched) simulation.scratch->chunks.kept_shapes.push_back(contact.shapes.a);
+        if (has_touched) simulation.kept_shapes.push_back(contact.shapes.a);
         return has_touched;
     });
 }
@@ -187,15 +186,18 @@ void start_woken_round(Simulation& simulation, std::size_t first) {
 void find_pairs(Simulation& simulation, EndOf which) {
     simulation.contacts.merge_woken();
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
-    std::vector<std::uint32_t>& kept = simulation.scratch->chunks.kept_shapes;
-    kept.clear();
     const ChunkLists<std::uint32_t>& ended = find_ended(simulation, which);
     const std::vector<ProxyPair>& new_pairs = find_new_pairs(simulation);
     end_each(simulation, ended);
     simulation.contacts.replace(ended, new_pairs, simulation.bodies, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
-    for (const std::uint32_t shape : kept) simulation.broad.touch(shape);
+}
+
+void touch_kept(Simulation& simulation) {
+    for (const std::uint32_t shape : simulation.kept_shapes)
+        if (simulation.broad.has(shape)) simulation.broad.touch(shape);
+    simulation.kept_shapes.clear();
 }
 
 void end_contacts(Simulation& simulation, EndOf which) {

@@ -11,7 +11,7 @@ namespace tumble {
 struct Simulation;
 
 // The contacts that end because their boxes are apart: all, or only those that did not touch in this step. A contact
-// that touched shows the impulses of the step, and ends when the next step starts.
+// that touched shows the impulses of the step, and ends in the next one.
 enum class EndOf : std::uint8_t { all_contacts, untouched_contacts };
 
 // Sorts woken contacts into the others, ends contacts whose boxes are apart, and begins new ones: only where a box has
@@ -22,6 +22,9 @@ void find_pairs(Simulation& simulation, EndOf which);
 // Removes the contacts whose boxes are apart, unless `which` keeps them, and those that a change since the last step
 // does not allow.
 void end_contacts(Simulation& simulation, EndOf which);
+
+// Makes the next search look at the contacts that were kept because they touched.
+void touch_kept(Simulation& simulation);
 
 // Updates the manifolds of all solid contacts.
 void collide_pairs(Simulation& simulation);

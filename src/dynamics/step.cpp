@@ -92,6 +92,7 @@ void find_moved_proxies(const Simulation& simulation, const MovingBody& moving, 
 void begin_step(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     if (simulation.settings.orders_impacts()) {
+        touch_kept(simulation);
         end_contacts(simulation, EndOf::all_contacts);  // before their boxes may overlap again
         cover_free_motions(simulation);
     }
@@ -146,6 +147,7 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
     if (!is_finite) return false;
     update_proxies(simulation);
     clock.stop(ms.proxies);
+    touch_kept(simulation);
     find_pairs(simulation, EndOf::untouched_contacts);
     clock.stop(ms.pairs);
     report_events(simulation);

@@ -58,6 +58,7 @@ struct SimulationState {
     SleepingIslands sleeping;
     StepEvents events;  // of the last step
     ContactCounts contact_counts;
+    std::vector<std::uint32_t> kept_shapes;  // a shape of each contact that touched, and whose boxes are apart: indices
     ChainCrossings chain_crossings;
     bool filters_changed = false;  // since the last step, by a joint, filter or type: contacts may have to end
 

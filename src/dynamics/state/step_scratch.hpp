@@ -101,7 +101,6 @@ struct ChunkScratch {
     ChunkLists<std::uint32_t> found;          // indices of contacts
     std::vector<std::uint32_t> newcomers;     // of all chunks
     std::vector<std::uint32_t> woken_rounds;  // the first index of each round in ContactStore::woken()
-    std::vector<std::uint32_t> kept_shapes;   // a shape of each contact that stays although its boxes are apart
     ChunkLists<BroadPhase::MovedProxy> moved_proxies;
     std::vector<CollidedChunk> collided;        // by chunk
     std::vector<ContactCounts> contact_counts;  // by chunk
@@ -110,7 +109,7 @@ struct ChunkScratch {
         std::size_t bytes = collided.capacity() * sizeof(CollidedChunk);
         for (const CollidedChunk& chunk : collided) bytes += chunk.bytes();
         return bytes + found.bytes() +
-               (newcomers.capacity() + woken_rounds.capacity() + kept_shapes.capacity()) * sizeof(std::uint32_t) +
+               (newcomers.capacity() + woken_rounds.capacity()) * sizeof(std::uint32_t) +
                moved_proxies.bytes() + contact_counts.capacity() * sizeof(ContactCounts);
     }
 };
