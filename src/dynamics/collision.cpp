@@ -133,6 +133,7 @@ const ChunkLists<std::uint32_t>& find_ended(Simulation& simulation, EndOf which)
     ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
     const bool may_end_all = may_end_anywhere(simulation);
     const auto add_if_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+        prefetch_after(contacts, i, 1);
         const ProxyPair shapes = contacts[i].shapes;
         if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
         const bool keep =

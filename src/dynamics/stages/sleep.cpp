@@ -71,9 +71,12 @@ void keep_drifting_awake(Simulation& simulation) {
 void find_islands(Simulation& simulation) {
     IslandFinder& islands = simulation.scratch->islands;
     islands.reset(simulation.bodies.solver_bodies.size());
-    for (const Contact& contact : simulation.contacts.all())
-        if (is_touching(contact) && !is_over(simulation, contact))
-            connect(islands, simulation.bodies, contact.body_a, contact.body_b);
+    const std::vector<Contact>& contacts = simulation.contacts.all();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        prefetch_after(contacts, i, 1);
+        if (is_touching(contacts[i]) && !is_over(simulation, contacts[i]))
+            connect(islands, simulation.bodies, contacts[i].body_a, contacts[i].body_b);
+    }
     simulation.joints.for_each_awake_pair(
         [&](std::uint32_t a, std::uint32_t b, bool has_rows) { connect(islands, simulation.bodies, a, b, has_rows); });
 }
