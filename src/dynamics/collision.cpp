@@ -22,7 +22,7 @@ StepAhead step_ahead(const Simulation& simulation) {
     return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
 }
 
-// True if one of the two bodies is not dynamic.
+// True if the contact has points and one of its bodies is not dynamic.
 bool is_on_ground(const BodyStore& bodies, const Contact& contact) {
     return contact.manifold.point_count > 0 &&
            (!bodies.is_dynamic(contact.body_a) || !bodies.is_dynamic(contact.body_b));
@@ -58,20 +58,23 @@ void collide_eight(const Simulation& simulation, std::span<Contact* const> eight
     }
 }
 
+// Among all contacts, after those that woke were sorted into them.
 void find_ground_contacts(Simulation& simulation) {
     const std::vector<Contact>& contacts = simulation.contacts.all();
     std::vector<GroundContact>& grounds = simulation.scratch->ground_contacts;
     grounds.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        prefetch_after(contacts, i, 1);
         if (is_on_ground(simulation.bodies, contacts[i]))
             grounds.push_back(ground_contact(simulation.bodies, contacts[i], i));
+    }
 }
 
-// Collides the solid contacts of an array from the index `first` on, and adds those on the ground to ground_contacts.
-void collide_contacts_from(Simulation& simulation, std::vector<Contact>& contacts, std::size_t first) {
+// Collides the solid contacts of an array from the index `first` on. Returns what the chunks found.
+std::span<const CollidedChunk> collide_contacts_from(Simulation& simulation, std::vector<Contact>& contacts,
+                                                     std::size_t first) {
     Crew& crew = simulation.crew;
     ChunkScratch& scratch = simulation.scratch->chunks;
-    std::vector<GroundContact>& grounds = simulation.scratch->ground_contacts;
     const std::size_t count = contacts.size() - first;
     const std::size_t used_chunks = crew.chunk_count(count, kLeastCollided);
     if (scratch.collided.size() < used_chunks) scratch.collided.resize(used_chunks);
@@ -88,17 +91,18 @@ void collide_contacts_from(Simulation& simulation, std::vector<Contact>& contact
         }
         collide_eight(simulation, {eight, used}, contacts.data(), own);
     });
+    const std::span<const CollidedChunk> chunks = std::span(scratch.collided).first(used_chunks);
     scratch.newcomers.clear();
-    for (const CollidedChunk& own : std::span(scratch.collided).first(used_chunks)) {
+    for (const CollidedChunk& own : chunks) {
         simulation.report.collided += own.counts;
         scratch.newcomers.insert(scratch.newcomers.end(), own.newcomers.begin(), own.newcomers.end());
-        grounds.insert(grounds.end(), own.grounds.begin(), own.grounds.end());
     }
     simulation.scratch->ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
     simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
     ChainContacts chains = simulation.chain_contacts();
     chains.woken_rounds = scratch.woken_rounds;
     follow_neighbors(chains, contacts, scratch.newcomers);
+    return chunks;
 }
 
 // True if contacts of shapes that have not moved may end.
@@ -195,12 +199,6 @@ void find_pairs(Simulation& simulation, EndOf which) {
     simulation.filters_changed = false;
 }
 
-void touch_kept(Simulation& simulation) {
-    for (const std::uint32_t shape : simulation.kept_shapes)
-        if (simulation.broad.has(shape)) simulation.broad.touch(shape);
-    simulation.kept_shapes.clear();
-}
-
 void end_contacts(Simulation& simulation, EndOf which) {
     if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
     const ChunkLists<std::uint32_t>& ended = find_ended(simulation, which);
@@ -212,8 +210,10 @@ void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
     simulation.scratch->ordered_impacts.bounces.has_candidates = false;
     simulation.scratch->chunks.woken_rounds.clear();
-    simulation.scratch->ground_contacts.clear();
-    collide_contacts_from(simulation, simulation.contacts.all(), 0);
+    std::vector<GroundContact>& grounds = simulation.scratch->ground_contacts;
+    grounds.clear();
+    for (const CollidedChunk& own : collide_contacts_from(simulation, simulation.contacts.all(), 0))
+        grounds.insert(grounds.end(), own.grounds.begin(), own.grounds.end());
 }
 
 void collide_woken(Simulation& simulation) {

@@ -23,9 +23,6 @@ void find_pairs(Simulation& simulation, EndOf which);
 // does not allow.
 void end_contacts(Simulation& simulation, EndOf which);
 
-// Makes the next search look at the contacts that were kept because they touched.
-void touch_kept(Simulation& simulation);
-
 // Updates the manifolds of all solid contacts.
 void collide_pairs(Simulation& simulation);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "debug/check.hpp"
+#include "dynamics/bodies/divergence.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/collision.hpp"
@@ -60,12 +61,9 @@ JointContext joint_context(const Simulation& simulation) {
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
-// Joints may connect any bodies. Contacts, blocks and bodies of a thousand boxes fill half of a cache of 2 MB.
-RegionRule region_rule(const Simulation& simulation) {
-    constexpr std::size_t kLeastBodies = 1000;
-    if (simulation.joints.awake_count() > 0) return {};
-    if (simulation.crew.divides_all()) return {1, 2};
-    return {kLeastBodies, 2 * simulation.crew.thread_count()};
+// Joints may connect any bodies, so that a world in which one is awake is one region.
+std::uint32_t least_region(const Simulation& simulation) {
+    return simulation.joints.awake_count() > 0 ? kOneRegion : kLeastRegion;
 }
 
 constexpr std::size_t kLeastBoxes = 128;  // in a chunk: about 3 us of work
@@ -92,7 +90,7 @@ void find_moved_proxies(const Simulation& simulation, const MovingBody& moving, 
 void begin_step(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     if (simulation.settings.orders_impacts()) {
-        touch_kept(simulation);
+        simulation.touch_kept();
         end_contacts(simulation, EndOf::all_contacts);  // before their boxes may overlap again
         cover_free_motions(simulation);
     }
@@ -110,9 +108,8 @@ void run_substep(Simulation& simulation, const ContactSolver::Region& region, Cr
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     ContactSolver& contacts = simulation.scratch->contact_solver;
-    const BodyRange range{region.first_body, region.end_body};
-    integrate_velocities(simulation.bodies, range, simulation.settings.gravity, context.h, speed_limits(simulation),
-                         crew);
+    integrate_velocities(simulation.bodies, region.bodies, simulation.settings.gravity, context.h,
+                         speed_limits(simulation), crew);
     JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
     if (system) system->warm_start(bodies);
     simulation.joints.warm_start(bodies, crew);
@@ -120,7 +117,7 @@ void run_substep(Simulation& simulation, const ContactSolver::Region& region, Cr
     simulation.joints.solve(context, true, bodies, crew);
     contacts.solve(region, bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
     if (system) system->solve_chord(simulation.joints, bodies);
-    integrate_positions(simulation.bodies, range, context.h, speed_limits(simulation), crew);
+    integrate_positions(simulation.bodies, region.bodies, context.h, speed_limits(simulation), crew);
     simulation.joints.solve(context, false, bodies, crew);
     contacts.relax(region, bodies, context.inv_h, friction_bound(simulation), crew);
     if (system) system->project_velocities(simulation.joints, bodies);
@@ -142,12 +139,12 @@ void solve(Simulation& simulation, StageClock& clock) {
 // False if a body is not finite.
 bool end_motion(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
-    const bool is_finite = finalize_poses(simulation.bodies, speed_limits(simulation), simulation.crew);
+    const bool may_go_on = finalize_poses(simulation.bodies, speed_limits(simulation), simulation.crew);
     clock.stop(ms.continuous);
-    if (!is_finite) return false;
+    if (!may_go_on && find_diverged(simulation.bodies) != kNoBody) return false;
     update_proxies(simulation);
     clock.stop(ms.proxies);
-    touch_kept(simulation);
+    simulation.touch_kept();
     find_pairs(simulation, EndOf::untouched_contacts);
     clock.stop(ms.pairs);
     report_events(simulation);
@@ -201,7 +198,7 @@ void prepare_constraints(Simulation& simulation) {
     const BounceBy bounces = settings.orders_impacts() ? BounceBy::impacts : BounceBy::solver;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), bounces,
-                                               region_rule(simulation), simulation.crew);
+                                               least_region(simulation), simulation.crew);
     simulation.joints.prepare(simulation.bodies, settings.joints, settings.substep_duration(), simulation.crew);
     simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
         return simulation.scratch->contact_solver.graph().has_contact(solver_body);

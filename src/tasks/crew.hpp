@@ -43,9 +43,6 @@ public:
 
     std::size_t thread_count() const;
 
-    // True if Threads::least_work is 0, as in tests: whatever can be divided among the threads is divided.
-    bool divides_all() const { return team_ && least_work_ == 0; }
-
     // The number of chunks into which for_each_chunk() divides `count` items: one if it runs on this thread alone.
     // On average, one of several chunks has more than half of `least` items, and each has at least one. If there are
     // enough items, the number of chunks is a multiple of the number of threads, or less than that.

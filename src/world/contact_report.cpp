@@ -80,7 +80,8 @@ private:
 // The contacts with points between live shapes, awake or asleep: of one body, or with kNoBody of all.
 std::vector<const Contact*> sorted_contacts(const Simulation& simulation, std::uint32_t body) {
     Collector collector(simulation, body);
-    // A box that was moved since the last step is not where its contacts are, and those of a kept one are apart.
+    // A box that was moved since the last step is not where its contacts are, and the boxes of a contact that was kept
+    // are apart.
     if (body == kNoBody || simulation.broad.has_moved() || !simulation.kept_shapes.empty())
         collector.add_all();
     else

@@ -169,6 +169,25 @@ TEST_CASE("the contacts of a colour are in the order of parts of the solver bodi
     CHECK(parts.size() == 16);
 }
 
+// They depend on each other, so that their order decides the result.
+TEST_CASE("contacts without a colour are solved in the order of contacts, whatever the order of the bodies") {
+    BodyStore bodies;
+    const BodyId hub = add_body(bodies, BodyType::dynamic_body, {}, 1.0f, 1.0f);
+    std::vector<BodyId> spokes;
+    for (int i = 0; i < 40; ++i) spokes.push_back(add_body(bodies, BodyType::dynamic_body, {}, 1.0f, 1.0f));
+    std::shuffle(spokes.begin(), spokes.end(), std::mt19937(2));
+    std::vector<Contact> contacts;
+    for (const BodyId spoke : spokes) contacts.push_back(make_touching(spoke, hub, {0.0f, 1.0f}, {}, {}, 0.0f));
+    ConstraintGraph graph;
+    graph.build(contacts, bodies, crew);
+    std::vector<std::uint32_t> without;
+    for (const ConstraintGraph::Color& color : graph.colors(graph.regions()[0]))
+        for (std::size_t block = color.begin; !color.is_independent && block < color.end; ++block)
+            without.push_back(graph.block(block)[0]);
+    CHECK(without.size() == spokes.size() - kDynamicColors);
+    CHECK(std::ranges::is_sorted(without));
+}
+
 // A graph keeps its colours while contacts and bodies stay the same: after each change it has those of a new one.
 TEST_CASE("the colours follow each change of contacts and bodies") {
     Tangle tangle(5, 12, 40);

@@ -23,8 +23,8 @@ struct StepTimes {
 void shorten_motion(BodyStore& bodies, std::uint32_t body, double fraction, Vec2 gravity, const StepTimes& times);
 
 // Adds the deltas to the poses, and clears them together with the forces of the step. The speed limits apply to the
-// final velocities too: joints that contradict each other may have exceeded them. Returns false if find_diverged() now
-// finds a body.
+// final velocities too: joints that contradict each other may have exceeded them. Returns false if a body is not
+// finite, or the static solver body has moved.
 bool finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew);
 
 }  // namespace tumble

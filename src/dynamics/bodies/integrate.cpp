@@ -117,8 +117,7 @@ bool are_free(const SolverBody* bodies) {
     return any_exceeds_limits(eight, limits);
 }
 
-// The positions of eight bodies, among which the static one stays where it is, as its velocity is 0. Returns false, and
-// does nothing, if one exceeds the limits.
+// The positions of eight bodies. Returns false, and does nothing, if one exceeds the limits.
 [[gnu::noinline]] TUMBLE_LANE_KERNEL bool integrate_eight_positions(SolverBody* bodies, float h,
                                                                     const SpeedLimits& limits) {
     BodyLanes eight = load(bodies);
@@ -136,6 +135,7 @@ bool are_free(const SolverBody* bodies) {
 void integrate_velocities(BodyStore& bodies, const BodyRange& range, Vec2 gravity, float h, const SpeedLimits& limits,
                           Crew& crew) {
     TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
+    TUMBLE_CHECK(range.begin > kStaticSolverBody);
     TUMBLE_CHECK(range.end <= bodies.moving.size());
     TUMBLE_CHECK(h > 0.0f);
     const auto integrate_one = [&](std::size_t i) {
@@ -160,7 +160,6 @@ void integrate_velocities(BodyStore& bodies, const BodyRange& range, Vec2 gravit
 
 void integrate_positions(BodyStore& bodies, const BodyRange& range, float h, const SpeedLimits& limits, Crew& crew) {
     const auto integrate_one = [&](std::size_t i) {
-        if (i == kStaticSolverBody) return;
         if (bodies.solver_bodies[i].flags & kDynamicBody) clamp_within_step(bodies, i, limits);
         integrate_position(bodies.solver_bodies[i], h, limits);
     };

@@ -8,11 +8,7 @@
 
 namespace tumble {
 
-// Solver bodies from `begin` up to `end`.
-struct BodyRange {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-};
+// Both work on a range of the solver bodies without the static one.
 
 // Dynamic bodies: v += h (g + F / m), then the damping v / (1 + h c) and the speed limits, so that constraints
 // propagate no more speed than a body may have. Other bodies keep their velocities. `h` is the sub-step, s.

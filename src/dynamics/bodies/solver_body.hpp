@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -34,6 +35,12 @@ static_assert(sizeof(SolverBody) == 32 && std::is_trivially_copyable_v<SolverBod
 
 // The solver body of all bodies that do not move: at rest, of infinite mass.
 inline constexpr std::uint32_t kStaticSolverBody = 0;
+
+// Solver bodies from `begin` up to `end`.
+struct BodyRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
 
 // The components of a velocity that the locks of a body allow.
 inline Vec2 allowed(std::uint32_t flags, Vec2 velocity) {

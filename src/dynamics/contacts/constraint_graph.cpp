@@ -100,11 +100,11 @@ void ConstraintGraph::connect(const Candidate& contact, const BodyStore& bodies)
 }
 
 void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew,
-                            const RegionRule& rule) {
+                            std::uint32_t least_region) {
     const bool was_complete = std::exchange(is_complete_, false);
     const bool contacts_changed = update_candidates(contacts, crew), bodies_changed = update_movers(bodies);
-    const bool rule_changed = update(rule_, rule);
-    if (!was_complete || contacts_changed || bodies_changed || rule_changed) {
+    const bool size_changed = update(least_region_, least_region);
+    if (!was_complete || contacts_changed || bodies_changed || size_changed) {
         find_solved();
         color(bodies);
         fill_lanes();
@@ -124,9 +124,9 @@ void ConstraintGraph::audit() const {
 
 void ConstraintGraph::color(const BodyStore& bodies) {
     const std::size_t count = bodies.solver_bodies.size();
-    const bool may_divide = rule_.least_bodies < count;
+    const bool may_divide = count / 2 >= least_region_;
     used_colors_.assign(count, 0);
-    farthest_.assign(may_divide ? count : 0, 0);
+    farthest_.assign(count, 0);
     groups_.resize(solved_.size());
     part_count_ = kParts;
     ends_.assign((kColors + 1) * kParts, 0);
@@ -134,57 +134,36 @@ void ConstraintGraph::color(const BodyStore& bodies) {
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         const Candidate& contact = candidates_[solved_[i]];
         const std::uint32_t color = choose_color(contact, bodies);
-        groups_[i] = color * kParts + static_cast<std::uint32_t>(dynamic_body(contact, bodies) * scale >> 32);
+        // Contacts without a colour stay in their order: they depend on each other.
+        const std::uint64_t part = color == kNoColor ? 0 : dynamic_body(contact, bodies) * scale >> 32;
+        groups_[i] = color * kParts + static_cast<std::uint32_t>(part);
         TUMBLE_CHECK(groups_[i] < ends_.size());
         ++ends_[groups_[i]];
         if (may_divide) connect(contact, bodies);
     }
-    first_bodies_.assign(1, 0);
-    if (may_divide) find_regions(farthest_, rule_, first_bodies_);
-    if (first_bodies_.size() > 1) group_by_region(bodies);
+    find_regions(farthest_, least_region_, bounds_);
+    if (bounds_.size() > 2) group_by_region(bodies);
 }
 
 // The parts are the regions.
 void ConstraintGraph::group_by_region(const BodyStore& bodies) {
-    std::vector<std::uint32_t>& region_of = farthest_;
-    for (std::size_t i = 0; i < first_bodies_.size(); ++i) {
-        const std::size_t end = i + 1 < first_bodies_.size() ? first_bodies_[i + 1] : region_of.size();
-        std::fill(region_of.begin() + first_bodies_[i], region_of.begin() + static_cast<std::ptrdiff_t>(end),
-                  static_cast<std::uint32_t>(i));
-    }
-    part_count_ = static_cast<std::uint32_t>(first_bodies_.size());
+    region_of_.resize(farthest_.size());
+    for (std::uint32_t region = 0; region + 1 < bounds_.size(); ++region)
+        std::fill(region_of_.begin() + bounds_[region], region_of_.begin() + bounds_[region + 1], region);
+    part_count_ = static_cast<std::uint32_t>(bounds_.size() - 1);
     ends_.assign((kColors + 1) * part_count_, 0);
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         const std::uint32_t color = groups_[i] / kParts;
-        groups_[i] = color * part_count_ + region_of[dynamic_body(candidates_[solved_[i]], bodies)];
+        groups_[i] = color * part_count_ + region_of_[dynamic_body(candidates_[solved_[i]], bodies)];
         ++ends_[groups_[i]];
     }
 }
 
 void ConstraintGraph::fill_lanes() {
     colors_.clear();
+    regions_.clear();
     std::uint32_t end = 0, used_colors = 0;
-    const std::size_t region_count = first_bodies_.size();
-    const std::size_t parts_of_region = part_count_ / region_count;
-    regions_.resize(region_count);
-    for (std::size_t region = 0; region < region_count; ++region) {
-        const std::size_t end_body = region + 1 < region_count ? first_bodies_[region + 1] : used_colors_.size();
-        const std::size_t first_color = colors_.size();
-        // Contacts without a colour come first, with a block for each.
-        for (std::uint32_t i = 0; i <= kColors; ++i) {
-            const std::uint32_t color = i == 0 ? kNoColor : i - 1, begin = end;
-            const std::uint32_t lanes = color == kNoColor ? kLaneCount : 1;
-            for (std::size_t part = 0; part < parts_of_region; ++part) {
-                std::uint32_t& of_group = ends_[color * part_count_ + region * parts_of_region + part];
-                end += lanes * std::exchange(of_group, end);
-            }
-            if (end == begin) continue;
-            end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
-            colors_.push_back({begin / kLaneCount, end / kLaneCount, color != kNoColor});
-            if (color != kNoColor) used_colors |= 1u << color;
-        }
-        regions_[region] = {first_bodies_[region], end_body, first_color, colors_.size()};
-    }
+    for (std::uint32_t i = 0; i + 1 < bounds_.size(); ++i) add_region(i, end, used_colors);
     color_count_ = std::popcount(used_colors);
     lanes_.assign(end, kNoContact);
     for (std::size_t i = 0; i < solved_.size(); ++i) {
@@ -193,6 +172,38 @@ void ConstraintGraph::fill_lanes() {
         lanes_[next] = solved_[i];
         next += groups_[i] >= kNoColor * part_count_ ? kLaneCount : 1;
     }
+}
+
+// Adds a region whose lanes begin at `end`, with its colours. Moves `end` to the end of its lanes, and the values in
+// ends_ of its groups to their first lanes.
+void ConstraintGraph::add_region(std::uint32_t index, std::uint32_t& end, std::uint32_t& used_colors) {
+    Region region{{bounds_[index], bounds_[index + 1]}, colors_.size()};
+    const std::uint32_t first_lane = end;
+    const std::uint32_t parts = part_count_ / static_cast<std::uint32_t>(bounds_.size() - 1);
+    // Contacts without a colour come first, with a block for each.
+    for (std::uint32_t i = 0; i <= kColors; ++i) {
+        const std::uint32_t color = i == 0 ? kNoColor : i - 1, begin = end;
+        const std::uint32_t lanes_of_contact = color == kNoColor ? kLaneCount : 1;
+        for (std::uint32_t part = index * parts; part < (index + 1) * parts; ++part)
+            end += lanes_of_contact * std::exchange(ends_[color * part_count_ + part], end);
+        if (end == begin) continue;
+        end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
+        colors_.push_back({begin / kLaneCount, end / kLaneCount, color != kNoColor});
+        if (color != kNoColor) used_colors |= 1u << color;
+    }
+    region.end_color = colors_.size();
+    constexpr std::size_t kWorkOfContact = 4;  // in bodies
+    region.work = region.bodies.end - region.bodies.begin + kWorkOfContact * (end - first_lane);
+    regions_.push_back(region);
+}
+
+bool ConstraintGraph::has_even_regions(std::size_t threads) const {
+    std::size_t most = 0, all = 0;
+    for (const Region& region : regions_) {
+        most = std::max(most, region.work);
+        all += region.work;
+    }
+    return 2 * threads * most <= 3 * all;
 }
 
 }  // namespace tumble

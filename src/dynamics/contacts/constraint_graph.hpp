@@ -1,10 +1,11 @@
 // Colours of contacts: no two contacts of a colour share a dynamic body, so that solving eight of them side by side in
 // lanes gives the same result as one after the other.
 //
-// The colouring is greedy in the order of contacts. It depends only on the solved contacts and their bodies, and it
-// is kept until one of them changes. A contact between dynamic bodies skips 0 to 3 free colours, a number that it draws
-// when it begins. Without it the order of solving follows the order of the shapes: a pass carries impulses through a
-// pile in one direction only, and large piles take up to twice as long to fall asleep.
+// The colouring is greedy in the order of contacts. It depends only on the solved contacts and their bodies. It is
+// kept, with the regions, until one of them or the least size of a region changes. A contact between dynamic bodies
+// skips 0 to 3 free colours, a number that it draws when it begins. Without it the order of solving follows the order
+// of the shapes: a pass carries impulses through a pile in one direction only, and large piles take up to twice as long
+// to fall asleep.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,9 @@ public:
     static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
     // Groups the contacts that are solved into blocks of kLaneCount lanes: those with points that do not bounce.
-    void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew, const RegionRule& rule = {});
+    // Divides the bodies into regions of at least `least_region` bodies.
+    void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew,
+               std::uint32_t least_region = kOneRegion);
 
     std::size_t block_count() const { return lanes_.size() / kLaneCount; }
     int color_count() const { return color_count_; }
@@ -47,12 +50,17 @@ public:
     };
     // A range of the solver bodies, and of the colours of its contacts.
     struct Region {
-        std::size_t first_body = 0;
-        std::size_t end_body = 0;
+        BodyRange bodies;
         std::size_t first_color = 0;
         std::size_t end_color = 0;
+        std::size_t work = 0;  // a measure of the time to solve it
     };
+    // They cover all bodies but the static one, and all colours.
     std::span<const Region> regions() const { return regions_; }
+
+    // True if so many threads, each with a region of its own at a time, take little longer than with equal shares of
+    // the work: no region is more than one and a half shares.
+    bool has_even_regions(std::size_t threads) const;
 
     // In the order of solving: the contacts without a colour, then the colours that have contacts.
     std::span<const Color> colors(const Region& region) const {
@@ -71,8 +79,8 @@ public:
     std::size_t bytes() const {
         return candidates_.capacity() * sizeof(Candidate) + movers_.capacity() * sizeof(Mover) +
                (used_colors_.capacity() + solved_.capacity()) * sizeof(std::uint32_t) +
-               (farthest_.capacity() + groups_.capacity() + ends_.capacity() + first_bodies_.capacity() +
-                lanes_.capacity()) *
+               (bounds_.capacity() + farthest_.capacity() + region_of_.capacity() + groups_.capacity() +
+                ends_.capacity() + lanes_.capacity()) *
                    sizeof(std::uint32_t) +
                colors_.capacity() * sizeof(Color) + regions_.capacity() * sizeof(Region);
     }
@@ -114,23 +122,25 @@ private:
     static std::uint32_t dynamic_body(const Candidate& contact, const BodyStore& bodies);
     void connect(const Candidate& contact, const BodyStore& bodies);
     void group_by_region(const BodyStore& bodies);
+    void add_region(std::uint32_t index, std::uint32_t& end, std::uint32_t& used_colors);
     void fill_lanes();
     std::uint8_t choose_color(const Candidate& contact, const BodyStore& bodies);
 
-    std::vector<Candidate> candidates_;        // by contact
-    std::vector<Mover> movers_;                // by solver body
-    std::vector<std::uint32_t> used_colors_;   // by solver body, a bit for each colour, and for kNoColor
-    std::vector<std::uint32_t> solved_;        // the contacts that are solved: indices
-    std::vector<std::uint32_t> first_bodies_;  // of the regions
-    std::vector<std::uint32_t> farthest_;      // by solver body: see find_regions(); then its region
-    std::vector<std::uint32_t> groups_;        // by position in solved_: colour * part_count_ + part
-    std::vector<std::uint32_t> ends_;          // by group: the number of contacts, then where the next lane is
-    std::vector<std::uint32_t> lanes_;         // index of a contact, or kNoContact
-    std::vector<Color> colors_;                // region by region
+    std::vector<Candidate> candidates_;       // by contact
+    std::vector<Mover> movers_;               // by solver body
+    std::vector<std::uint32_t> used_colors_;  // by solver body, a bit for each colour, and for kNoColor
+    std::vector<std::uint32_t> solved_;       // the contacts that are solved: indices
+    std::vector<std::uint32_t> bounds_;       // of the regions: see find_regions()
+    std::vector<std::uint32_t> farthest_;     // by solver body: see find_regions()
+    std::vector<std::uint32_t> region_of_;    // by solver body, if there are several
+    std::vector<std::uint32_t> groups_;       // by position in solved_: colour * part_count_ + part
+    std::vector<std::uint32_t> ends_;         // by group: the number of contacts, then where the next lane is
+    std::vector<std::uint32_t> lanes_;        // index of a contact, or kNoContact
+    std::vector<Color> colors_;               // region by region
     std::vector<Region> regions_;
-    RegionRule rule_;
+    std::uint32_t least_region_ = kOneRegion;
     std::uint32_t part_count_ = 1;
-    int color_count_ = 0;       // of the region that has most
+    int color_count_ = 0;       // that any region uses
     bool is_complete_ = false;  // false before the first build(), and after an exception
 };
 

@@ -102,7 +102,7 @@ inline void prefetch_after(std::span<const Contact> contacts, std::size_t index,
 constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
 
 // False for a point that was foreseen when the step began, and at which the shapes neither pushed nor were near.
-// The impulse is asked first: it is in the first cache line.
+// The impulse is read first, as it is in the first cache line.
 inline bool is_shown(const Contact& contact, int point) {
     return contact.applied[point].normal > 0.0f ||
            contact.manifold.points[point].separation <= contact.speculative_distance;

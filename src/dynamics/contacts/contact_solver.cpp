@@ -46,8 +46,8 @@ void ContactSolver::for_each_color(const Region& region, Crew& crew, SolveBlocks
 }
 
 void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
-                            Vec2 gravity, float h, BounceBy bounces, const RegionRule& rule, Crew& crew) {
-    graph_.build(contacts, bodies, crew, rule);
+                            Vec2 gravity, float h, BounceBy bounces, std::uint32_t least_region, Crew& crew) {
+    graph_.build(contacts, bodies, crew, least_region);
     prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, bounces, blocks_, extras_, crew);
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
@@ -106,7 +106,7 @@ void ContactSolver::audit() const {
         for (const ConstraintGraph::Color& color : graph_.colors(region))
             for (std::size_t i = color.begin; i < color.end; ++i)
                 for (const std::uint32_t body : moved_bodies(blocks_[i]))
-                    if (body < region.first_body || body >= region.end_body)
+                    if (body < region.bodies.begin || body >= region.bodies.end)
                         throw std::logic_error("contact solver: block " + std::to_string(i) +
                                                " moves a body of another region");
     }

@@ -26,16 +26,19 @@ public:
 
     // Once a step, with poses and velocities of its start. `h` is the length of a sub-step, s.
     void prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning, Vec2 gravity,
-                 float h, BounceBy bounces, const RegionRule& rule, Crew& crew);
+                 float h, BounceBy bounces, std::uint32_t least_region, Crew& crew);
 
     using Region = ConstraintGraph::Region;
 
-    // Calls work(region, crew) for each region: if there is one, on this thread, which shares its work by the crew;
-    // otherwise at the same time, each with a crew of one thread.
+    // Calls work(region, crew) for each region: at the same time, each with a crew of one thread, or if a region is too
+    // large for that, one after the other, each with this crew.
     template <class Work>
     void for_each_region(Crew& crew, Work&& work) const {
         const std::span<const Region> regions = graph_.regions();
-        if (regions.size() == 1) return work(regions[0], crew);
+        if (!graph_.has_even_regions(crew.thread_count())) {
+            for (const Region& region : regions) work(region, crew);
+            return;
+        }
         crew.for_each(regions.size(), 1, [&](std::size_t i) {
             Crew alone;
             work(regions[i], alone);
@@ -54,7 +57,8 @@ public:
     const ConstraintGraph& graph() const { return graph_; }
     std::size_t bytes() const;
 
-    // Throws std::logic_error if the blocks are not those of the graph, or if a block moves a body twice.
+    // Throws std::logic_error if the blocks are not those of the graph, or if a block moves a body twice
+    // or one of another region.
     void audit() const;
 
 private:

@@ -3,20 +3,21 @@
 #include <algorithm>
 
 #include "debug/check.hpp"
+#include "dynamics/bodies/solver_body.hpp"
 
 namespace tumble {
 
-void find_regions(std::span<const std::uint32_t> farthest, const RegionRule& rule,
-                  std::vector<std::uint32_t>& first_bodies) {
-    TUMBLE_CHECK(rule.least_bodies > 0);
-    first_bodies.assign(1, 0);
-    std::uint32_t end = 0;  // no contact connects a body before this one with a later one, except as found
-    for (std::uint32_t i = 0; i < farthest.size(); ++i) {
-        if (i > end && i - first_bodies.back() >= rule.least_bodies && farthest.size() - i >= rule.least_bodies)
-            first_bodies.push_back(i);
-        end = std::max({end, i, farthest[i]});
+void find_regions(std::span<const std::uint32_t> farthest, std::uint32_t least_bodies,
+                  std::vector<std::uint32_t>& bounds) {
+    TUMBLE_CHECK(least_bodies > 0);
+    const auto count = static_cast<std::uint32_t>(farthest.size());
+    bounds.assign(1, kStaticSolverBody + 1);
+    std::uint32_t last = 0;  // the last body that one before i is connected with, or is
+    for (std::uint32_t i = bounds[0]; i < count; ++i) {
+        if (i > last && i - bounds.back() >= least_bodies && count - i >= least_bodies) bounds.push_back(i);
+        last = std::max({last, i, farthest[i]});
     }
-    if (first_bodies.size() < rule.least_regions) first_bodies.resize(1);
+    bounds.push_back(count);
 }
 
 }  // namespace tumble

@@ -15,16 +15,18 @@ namespace tumble {
 
 namespace {
 
-constexpr std::size_t kLeastBodies = 128;  // in a chunk: about 3 us of work
+constexpr std::size_t kLeastBodies = 128, kLeastFast = 4;  // in a chunk: some us of work
 
 class ImpactFinder {
 public:
     explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), fast_(simulation.scratch->fast_bodies) {}
 
     void run() {
-        find_bodies();
+        crew_.work_together(simulation_.bodies.moving.size(), [&] {
+            find_bodies();
+            stop_at_immovable();
+        });
         if (fast_.empty()) return;
-        for (FastBody& fast : fast_) stop_at_immovable(fast);
         for (std::size_t i = 0; i < fast_.size(); ++i)
             if (fast_[i].is_bullet) find_next(i);
         while (stop_first_bullet()) {
@@ -51,10 +53,8 @@ private:
             const std::uint32_t index = bodies.moving[i].body;
             if (has_bullets || may_reach_immovable(simulation_, index)) found.push_back(index);
         };
-        Crew& crew = simulation_.crew;
         ChunkLists<std::uint32_t>& found = simulation_.scratch->chunks.found;
-        crew.work_together(bodies.moving.size(),
-                           [&] { found.fill(crew, bodies.moving.size(), kLeastBodies, add_if_fast); });
+        found.fill(crew_, bodies.moving.size(), kLeastBodies, add_if_fast);
         found.for_each([&](std::uint32_t index) {
             const SolverBody& body = bodies.solver_bodies[bodies.frames[index].solver_body];
             FastBody fast;
@@ -69,29 +69,35 @@ private:
     }
 
     // Calls visit(own shape, other shape) for each pair that may touch, of a fast body's shape and a shape of these
-    // layers near its path. Pairs with a sensor become candidates for a crossing; a fast body's own sensor is paired
-    // with shapes of all layers.
+    // layers near its path. Adds pairs with a sensor to `crossings`, which may cross; a fast body's own sensor is
+    // paired with shapes of all layers.
     template <class Visitor>
-    void for_each_near(const FastBody& fast, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
+    void for_each_near(const FastBody& fast, ProxyLayer first, ProxyLayer last, std::vector<ProxyPair>& crossings,
+                       Visitor&& visit) const {
         for (const ShapeId own : simulation_.bodies.records[fast.body].shapes) {
             const ShapeRecord& shape = simulation_.shapes[own.index];
             const Aabb box = box_of_sweep(shape.shape, fast.sweep);
             const ProxyLayer top = shape.is_sensor ? ProxyLayer::dynamic : last;
-            near_.clear();
-            simulation_.broad.query(
-                box, [&](std::uint32_t other) { near_.push_back(other); }, first, top);
-            for (const std::uint32_t other : near_) {
+            const auto add = [&](std::uint32_t other) {
                 const ProxyPair pair = make_pair_of(own.index, other);
                 if (may_touch(simulation_, pair))
                     visit(own.index, other);
                 else if (shape.is_sensor != simulation_.shapes[other].is_sensor)
-                    simulation_.scratch->sensor_crossings.push_back(pair);
-            }
+                    crossings.push_back(pair);
+            };
+            simulation_.broad.query(box, add, first, top);
         }
     }
 
-    void stop_at_immovable(FastBody& fast) {
-        for_each_near(fast, ProxyLayer::fixed, ProxyLayer::kinematic, [&](std::uint32_t own, std::uint32_t other) {
+    void stop_at_immovable() {
+        ChunkLists<ProxyPair>& crossings = simulation_.scratch->chunks.crossings;
+        crossings.fill(crew_, fast_.size(), kLeastFast,
+                       [&](std::size_t i, std::vector<ProxyPair>& list) { stop_at_immovable(fast_[i], list); });
+        crossings.for_each([&](ProxyPair pair) { simulation_.scratch->sensor_crossings.push_back(pair); });
+    }
+
+    void stop_at_immovable(FastBody& fast, std::vector<ProxyPair>& crossings) const {
+        const auto stop_at = [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             const double fraction = find_stop(simulation_.shapes[own], fast.sweep, simulation_.shapes[other],
                                               sweep_of(simulation_.bodies, body), was_pushed(own, other));
@@ -100,7 +106,8 @@ private:
             TUMBLE_CHECK(!(fraction < 0.0));
             fast.fraction = fraction;
             fast.impact = pair;
-        });
+        };
+        for_each_near(fast, ProxyLayer::fixed, ProxyLayer::kinematic, crossings, stop_at);
     }
 
     // The first impact of a bullet on a dynamic body before it stops.
@@ -109,11 +116,12 @@ private:
         FastBody& fast = fast_[bullet];
         fast.next = fast.fraction;
         fast.partner = kNone;
-        for_each_near(fast, ProxyLayer::dynamic, ProxyLayer::dynamic, [&](std::uint32_t own, std::uint32_t other) {
+        const auto add_slow = [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             if (find_index(body) != kNone) return;
             add_impact(fast, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
-        });
+        };
+        for_each_near(fast, ProxyLayer::dynamic, ProxyLayer::dynamic, simulation_.scratch->sensor_crossings, add_slow);
         // Other fast bodies may come from outside the box of the bullet's sweep.
         for (std::size_t i = 0; i < fast_.size(); ++i) {
             if (i == bullet || !overlaps(fast.box, fast_[i].box)) continue;
@@ -199,7 +207,7 @@ private:
 
     Simulation& simulation_;
     std::vector<FastBody>& fast_;  // by body index
-    std::vector<std::uint32_t>& near_ = simulation_.scratch->near_shapes;
+    Crew& crew_ = simulation_.crew;
 };
 
 }  // namespace

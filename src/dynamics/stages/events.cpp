@@ -161,7 +161,7 @@ void add_contacts_of_impacts(Simulation& simulation) {
     for (const Impact& impact : simulation.scratch->ordered_impacts.impacts) {
         if (simulation.broad.has_pair(impact.shapes)) continue;
         simulation.broad.add_pair(impact.shapes);
-        simulation.broad.touch(impact.shapes.a);  // the next step ends the contact
+        simulation.kept_shapes.push_back(impact.shapes.a);
         pairs.push_back(impact.shapes);
     }
     std::sort(pairs.begin(), pairs.end());

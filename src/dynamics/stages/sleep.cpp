@@ -131,6 +131,7 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     }
     simulation.joints.put_to_sleep(simulation.scratch->sleeping_joints);
     set_contacts_aside(simulation);
+    simulation.touch_kept();  // a contact that is over must not wake one of them
 }
 
 // The bodies whose boxes overlap those of an enabled body, one entry for each pair of shapes. A body that has diverged

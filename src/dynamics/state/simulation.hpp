@@ -58,11 +58,19 @@ struct SimulationState {
     SleepingIslands sleeping;
     StepEvents events;  // of the last step
     ContactCounts contact_counts;
-    std::vector<std::uint32_t> kept_shapes;  // a shape of each contact that touched, and whose boxes are apart: indices
+    // A shape of each contact that is kept for a step, because it touched, although its boxes are apart: indices.
+    std::vector<std::uint32_t> kept_shapes;
     ChainCrossings chain_crossings;
     bool filters_changed = false;  // since the last step, by a joint, filter or type: contacts may have to end
 
     ChainContacts chain_contacts() const { return {bodies, shapes, contacts, chain_crossings}; }
+
+    // Makes the next search end the contacts that were kept.
+    void touch_kept() {
+        for (const std::uint32_t shape : kept_shapes)
+            if (broad.has(shape)) broad.touch(shape);
+        kept_shapes.clear();
+    }
 
     // False once one of the shapes is destroyed, or its body disabled.
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }

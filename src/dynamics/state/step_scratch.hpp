@@ -27,7 +27,7 @@ struct Sleeper {
     friend constexpr auto operator<=>(Sleeper, Sleeper) = default;
 };
 
-// A contact between a dynamic shape and a shape of a static or kinematic body that is not part of a chain.
+// A contact between a dynamic shape and a shape of a static or kinematic body.
 struct GroundContact {
     std::uint32_t moving_shape = 0;  // index
     std::uint32_t contact = 0;       // index
@@ -68,7 +68,7 @@ struct CollisionCounts {
     }
 };
 
-// What the collision of a chunk of contacts found. A cache line of its own, as other threads write its neighbours.
+// What the collision of a chunk of contacts found. In cache lines of its own, as other threads write its neighbours.
 struct alignas(64) CollidedChunk {
     CollisionCounts counts;
     std::vector<std::uint32_t> newcomers;  // contacts that left ChainState::apart
@@ -102,15 +102,15 @@ struct ChunkScratch {
     std::vector<std::uint32_t> newcomers;     // of all chunks
     std::vector<std::uint32_t> woken_rounds;  // the first index of each round in ContactStore::woken()
     ChunkLists<BroadPhase::MovedProxy> moved_proxies;
+    ChunkLists<ProxyPair> crossings;            // of sensors
     std::vector<CollidedChunk> collided;        // by chunk
     std::vector<ContactCounts> contact_counts;  // by chunk
 
     std::size_t bytes() const {
         std::size_t bytes = collided.capacity() * sizeof(CollidedChunk);
         for (const CollidedChunk& chunk : collided) bytes += chunk.bytes();
-        return bytes + found.bytes() +
-               (newcomers.capacity() + woken_rounds.capacity()) * sizeof(std::uint32_t) +
-               moved_proxies.bytes() + contact_counts.capacity() * sizeof(ContactCounts);
+        return bytes + found.bytes() + (newcomers.capacity() + woken_rounds.capacity()) * sizeof(std::uint32_t) +
+               moved_proxies.bytes() + crossings.bytes() + contact_counts.capacity() * sizeof(ContactCounts);
     }
 };
 
@@ -121,7 +121,7 @@ struct StepScratch {
     // Constraints.
     ContactSolver contact_solver;
     JointSystem joint_system;
-    std::vector<GroundContact> ground_contacts;  // with points, found by the collision
+    std::vector<GroundContact> ground_contacts;  // that had points when they collided
 
     // Falling asleep.
     IslandFinder islands;
