@@ -64,6 +64,8 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
     const NormalRow row2 = make_bounce_row(block.points[1], second, state);
     Lanes change1, change2;
     find_changes(block, block.coupling * first.happens * second.happens, row1, row2, change1, change2);
+    change1 = select_less(Lanes::Zero(), first.happens, change1, Lanes::Zero());
+    change2 = select_less(Lanes::Zero(), second.happens, change2, Lanes::Zero());
     const Lanes absorbed = block.extras->absorbed - larger(block.extras->friction_work, Lanes::Zero()) - returned;
     const Lanes energy = larger(first.part, second.part) * absorbed;
     const Lanes part = affordable_part(block, change1, change2, energy, state);
