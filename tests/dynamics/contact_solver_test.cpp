@@ -11,6 +11,7 @@
 #include "dynamics/contacts/contact_block.hpp"
 #include "dynamics/contacts/make_contact.hpp"
 #include "support/near.hpp"
+#include "support/solver_parts.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -20,26 +21,6 @@ namespace {
 Crew crew;  // this thread alone
 
 constexpr float kH = 1.0f / 240.0f;
-
-BodyId add_body(BodyStore& bodies, BodyType type, DVec2 position, float mass, float inertia) {
-    BodyDef def;
-    def.type = type;
-    def.pose.position = position;
-    const BodyId id = bodies.create(def);
-    bodies.set_mass(id, type == BodyType::dynamic_body ? BodyMass{mass, {}, inertia} : BodyMass{}, 1.0f, 1.0f);
-    return id;
-}
-
-Contact make_touching(BodyId a, BodyId b, Vec2 normal, Vec2 arm_a, Vec2 arm_b, float separation) {
-    Contact contact;
-    contact.body_a = a.index;
-    contact.body_b = b.index;
-    contact.friction = 0.5f;
-    contact.manifold.normal = normal;
-    contact.manifold.point_count = 1;
-    contact.manifold.points[0] = {arm_a, arm_b, separation, 0};
-    return contact;
-}
 
 // What the contact solver works on.
 struct SolverParts {

@@ -11,6 +11,7 @@
 #include "dynamics/contacts/contact_block.hpp"
 #include "dynamics/contacts/contact_solver.hpp"
 #include "support/random_numbers.hpp"
+#include "support/solver_parts.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -40,10 +41,10 @@ struct Clusters {
     std::vector<Contact> contacts;
 
     explicit Clusters(RandomNumbers& random) {
-        const std::uint32_t ground = add(random, BodyType::static_body);
-        const std::uint32_t lift = add(random, BodyType::kinematic_body);
+        const BodyId ground = add(random, BodyType::static_body);
+        const BodyId lift = add(random, BodyType::kinematic_body);
         for (int cluster = 0; cluster < 5; ++cluster) {
-            std::vector<std::uint32_t> own;
+            std::vector<BodyId> own;
             const std::size_t size = 3 + random.below(8);
             for (std::size_t i = 0; i < size; ++i) own.push_back(add(random, BodyType::dynamic_body));
             for (std::size_t i = 1; i < own.size(); ++i) touch(random, own[random.below(i)], own[i]);
@@ -53,27 +54,16 @@ struct Clusters {
     }
 
 private:
-    std::uint32_t add(RandomNumbers& random, BodyType type) {
-        BodyDef def;
-        def.type = type;
-        if (type != BodyType::static_body) def.velocity = random.vector(1.0f);
-        const BodyId id = bodies.create(def);
-        bodies.set_mass(id,
-                        type == BodyType::dynamic_body ? BodyMass{random.between(1.0f, 3.0f), {}, 1.0f} : BodyMass{},
-                        1.0f, 1.0f);
-        return id.index;
+    BodyId add(RandomNumbers& random, BodyType type) {
+        const BodyId id = add_body(bodies, type, {}, random.between(1.0f, 3.0f), 1.0f);
+        if (type != BodyType::static_body) bodies.solver_bodies.back().velocity = random.vector(1.0f);
+        return id;
     }
 
-    void touch(RandomNumbers& random, std::uint32_t a, std::uint32_t b) {
-        Contact contact;
-        contact.shapes = {a, b};
-        contact.body_a = a;
-        contact.body_b = b;
-        contact.friction = 0.5f;
+    void touch(RandomNumbers& random, BodyId a, BodyId b) {
         const Rotation turn = make_rotation(double{random.between(-3.0f, 3.0f)});
-        contact.manifold.normal = {turn.c, turn.s};
-        contact.manifold.point_count = 1;
-        contact.manifold.points[0] = {random.vector(1.0f), random.vector(1.0f), random.between(-0.01f, 0.01f), 0};
+        Contact contact = make_touching(a, b, {turn.c, turn.s}, random.vector(1.0f), random.vector(1.0f),
+                                        random.between(-0.01f, 0.01f));
         contact.skipped_colors = static_cast<std::uint8_t>(random.below(4));
         contact.has_extras = random.coin();
         if (contact.has_extras) {
