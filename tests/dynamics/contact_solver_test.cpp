@@ -140,7 +140,7 @@ TEST_CASE("the contacts of a colour are in the order of parts of the solver bodi
                 const Contact& contact = tangle.contacts[index];
                 const bool has_a = tangle.bodies.is_dynamic(contact.body_a);
                 const std::uint32_t body = tangle.bodies.frames[has_a ? contact.body_a : contact.body_b].solver_body;
-                const std::size_t part = 16 * body / tangle.bodies.solver_bodies.size();
+                const std::size_t part = std::size_t{16} * body / tangle.bodies.solver_bodies.size();
                 CHECK(part >= last);
                 last = part;
                 parts.insert(part);

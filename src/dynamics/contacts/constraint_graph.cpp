@@ -120,6 +120,15 @@ void ConstraintGraph::audit() const {
     if (is_complete_ && listed != solved_)
         throw std::logic_error("constraint graph: " + std::to_string(listed.size()) + " lanes for " +
                                std::to_string(solved_.size()) + " contacts");
+    std::size_t body = kStaticSolverBody + 1, color = 0;
+    for (const Region& region : regions_) {
+        if (region.bodies.begin != body || region.first_color != color)
+            throw std::logic_error("constraint graph: a region does not begin where the last one ends");
+        body = region.bodies.end;
+        color = region.end_color;
+    }
+    if (is_complete_ && (body != movers_.size() || color != colors_.size()))
+        throw std::logic_error("constraint graph: the regions do not cover all bodies and colours");
 }
 
 void ConstraintGraph::color(const BodyStore& bodies) {
@@ -129,7 +138,7 @@ void ConstraintGraph::color(const BodyStore& bodies) {
     farthest_.assign(count, 0);
     groups_.resize(solved_.size());
     part_count_ = kParts;
-    ends_.assign((kColors + 1) * kParts, 0);
+    ends_.assign((std::size_t{kColors} + 1) * kParts, 0);
     const std::uint64_t scale = (std::uint64_t{kParts} << 32) / count;
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         const Candidate& contact = candidates_[solved_[i]];
@@ -151,7 +160,7 @@ void ConstraintGraph::group_by_region(const BodyStore& bodies) {
     for (std::uint32_t region = 0; region + 1 < bounds_.size(); ++region)
         std::fill(region_of_.begin() + bounds_[region], region_of_.begin() + bounds_[region + 1], region);
     part_count_ = static_cast<std::uint32_t>(bounds_.size() - 1);
-    ends_.assign((kColors + 1) * part_count_, 0);
+    ends_.assign((std::size_t{kColors} + 1) * part_count_, 0);
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         const std::uint32_t color = groups_[i] / kParts;
         groups_[i] = color * part_count_ + region_of_[dynamic_body(candidates_[solved_[i]], bodies)];
@@ -160,26 +169,24 @@ void ConstraintGraph::group_by_region(const BodyStore& bodies) {
 }
 
 void ConstraintGraph::fill_lanes() {
+    lanes_.clear();
     colors_.clear();
     regions_.clear();
-    std::uint32_t end = 0, used_colors = 0;
-    for (std::uint32_t i = 0; i + 1 < bounds_.size(); ++i) add_region(i, end, used_colors);
-    color_count_ = std::popcount(used_colors);
-    lanes_.assign(end, kNoContact);
+    for (std::uint32_t i = 0; i + 1 < bounds_.size(); ++i) add_region(i);
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         std::uint32_t& next = ends_[groups_[i]];
-        TUMBLE_CHECK(next < end);
+        TUMBLE_CHECK(next < lanes_.size());
         lanes_[next] = solved_[i];
         next += groups_[i] >= kNoColor * part_count_ ? kLaneCount : 1;
     }
 }
 
-// Adds a region whose lanes begin at `end`, with its colours. Moves `end` to the end of its lanes, and the values in
-// ends_ of its groups to their first lanes.
-void ConstraintGraph::add_region(std::uint32_t index, std::uint32_t& end, std::uint32_t& used_colors) {
+// Adds a region with its colours and empty lanes, and notes in ends_ where the lanes of its groups begin.
+void ConstraintGraph::add_region(std::uint32_t index) {
     Region region{{bounds_[index], bounds_[index + 1]}, colors_.size()};
-    const std::uint32_t first_lane = end;
+    const auto first_lane = static_cast<std::uint32_t>(lanes_.size());
     const std::uint32_t parts = part_count_ / static_cast<std::uint32_t>(bounds_.size() - 1);
+    std::uint32_t end = first_lane;
     // Contacts without a colour come first, with a block for each.
     for (std::uint32_t i = 0; i <= kColors; ++i) {
         const std::uint32_t color = i == 0 ? kNoColor : i - 1, begin = end;
@@ -189,12 +196,18 @@ void ConstraintGraph::add_region(std::uint32_t index, std::uint32_t& end, std::u
         if (end == begin) continue;
         end = (end + kLaneCount - 1) / kLaneCount * kLaneCount;
         colors_.push_back({begin / kLaneCount, end / kLaneCount, color != kNoColor});
-        if (color != kNoColor) used_colors |= 1u << color;
     }
+    lanes_.resize(end, kNoContact);
     region.end_color = colors_.size();
     constexpr std::size_t kWorkOfContact = 4;  // in bodies
     region.work = region.bodies.end - region.bodies.begin + kWorkOfContact * (end - first_lane);
     regions_.push_back(region);
+}
+
+int ConstraintGraph::color_count() const {
+    std::uint32_t used = 0;
+    for (const std::uint32_t colors : used_colors_) used |= colors;
+    return std::popcount(used & (kDynamicMask | kStaticMask));
 }
 
 bool ConstraintGraph::has_even_regions(std::size_t threads) const {

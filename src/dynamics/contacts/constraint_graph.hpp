@@ -32,7 +32,7 @@ public:
                std::uint32_t least_region = kOneRegion);
 
     std::size_t block_count() const { return lanes_.size() / kLaneCount; }
-    int color_count() const { return color_count_; }
+    int color_count() const;  // that any contact has
 
     // The contacts of a block, by lane: indices or kNoContact. The blocks of a region are in the order of solving:
     // contacts without a colour, contacts between dynamic bodies, contacts with a static or kinematic body.
@@ -73,7 +73,8 @@ public:
         return used_colors_[solver_body] != 0;
     }
 
-    // Throws std::logic_error if the lanes are not those of the solved contacts.
+    // Throws std::logic_error if the lanes are not those of the solved contacts, or if the regions do not follow one
+    // another.
     void audit() const;
 
     std::size_t bytes() const {
@@ -122,7 +123,7 @@ private:
     static std::uint32_t dynamic_body(const Candidate& contact, const BodyStore& bodies);
     void connect(const Candidate& contact, const BodyStore& bodies);
     void group_by_region(const BodyStore& bodies);
-    void add_region(std::uint32_t index, std::uint32_t& end, std::uint32_t& used_colors);
+    void add_region(std::uint32_t index);
     void fill_lanes();
     std::uint8_t choose_color(const Candidate& contact, const BodyStore& bodies);
 
@@ -140,7 +141,6 @@ private:
     std::vector<Region> regions_;
     std::uint32_t least_region_ = kOneRegion;
     std::uint32_t part_count_ = 1;
-    int color_count_ = 0;       // that any region uses
     bool is_complete_ = false;  // false before the first build(), and after an exception
 };
 
