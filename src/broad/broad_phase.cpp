@@ -26,19 +26,34 @@ void BroadPhase::remove(std::uint32_t key) {
     proxy.leaf = AabbTree::kNone;
 }
 
-void BroadPhase::move(const ChunkLists<MovedProxy>& moved) {
-    moved.for_each([&](const MovedProxy& proxy) { touch(proxy.key); });  // may run out of memory; what follows does not
-    bool all_placed = true;
-    moved.for_each([&](const MovedProxy& proxy) {
-        proxies_[proxy.key].box = proxy.box;
-        all_placed &= tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box);
+void BroadPhase::move(ChunkLists<MovedProxy>& moved, Crew& crew) {
+    // These two may run out of memory; what follows does not.
+    moved.for_each([&](const MovedProxy& proxy) { touch(proxy.key); });
+    changed_.reserve(kNodesOfPart * parts_of_walk(crew));
+    moved.for_each_list(crew, [&](std::vector<MovedProxy>& proxies) {
+        for (const MovedProxy& proxy : proxies) {
+            Proxy& own = proxies_[proxy.key];
+            own.box = proxy.box;
+            tree(own.layer).prefetch(own.leaf);
+        }
+        std::erase_if(proxies, [&](const MovedProxy& proxy) {
+            return tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box);
+        });
     });
-    for (AabbTree& tree : trees_) tree.refit();
-    if (all_placed) return;
-    moved.for_each([&](const MovedProxy& proxy) {
-        AabbTree& tree = this->tree(proxies_[proxy.key].layer);
-        if (tree.box(proxies_[proxy.key].leaf) != proxy.box) tree.move(proxies_[proxy.key].leaf, proxy.box);
-    });
+    for (AabbTree& tree : trees_) refit(tree, crew);
+    moved.for_each(
+        [&](const MovedProxy& proxy) { tree(proxies_[proxy.key].layer).reinsert_if_apart(proxies_[proxy.key].leaf); });
+}
+
+std::size_t BroadPhase::parts_of_walk(const Crew& crew) const {
+    const std::size_t chunks = crew.chunk_count(touched_.size(), kLeastLeaves);
+    return chunks > 1 ? kPartsOfChunk * chunks : 1;
+}
+
+void BroadPhase::refit(AabbTree& tree, Crew& crew) {
+    const std::size_t first = tree.list_changed(parts_of_walk(crew), changed_);
+    crew.for_each(changed_.size() - first, kPartsOfChunk, [&](std::size_t i) { tree.refit(changed_[first + i]); });
+    for (std::size_t i = first; i-- > 0;) tree.refit(changed_[i]);
 }
 
 void BroadPhase::touch(std::uint32_t key) {

@@ -34,12 +34,21 @@ public:
     // node stays the same.
     void move(Node leaf, const Aabb& box);
 
-    // The same for many leaves: place() gives a leaf its box, and refit() then refits each node above these leaves
-    // once. Between the two calls nothing else may be called. place() returns false, and does nothing, if the boxes do
-    // not overlap: move() is for such a leaf.
+    // Many leaves move in three steps. place() gives a leaf another box; it returns false if that is apart from the old
+    // one. refit() then refits each node of a subtree above these leaves once. Until the whole tree is refitted,
+    // nothing else may be called. Last, the leaves for which place() was false are inserted anew if they have also left
+    // their siblings: those that fall side by side stay where they are. Several threads may place leaves, and then
+    // refit subtrees, at the same time.
     bool place(Node leaf, const Aabb& box);
-    void refit();
+    void refit(Node subtree);
+    void reinsert_if_apart(Node leaf);
 
+    // Lists the nodes above placed leaves, level by level, until at least `parts` subtrees remain, or until the
+    // capacity of `nodes` is used up. Returns the index of the first that remains: these are to be refitted first, in
+    // any order, then those before them from the last to the first.
+    std::size_t list_changed(std::size_t parts, std::vector<Node>& nodes) const;
+
+    void prefetch(Node leaf) const { __builtin_prefetch(&at(leaf)); }  // starts to load what place() will read
     const Aabb& box(Node leaf) const { return at(leaf).box; }
     std::size_t leaf_count() const { return leaf_count_; }
 
@@ -57,7 +66,7 @@ public:
     void search(MayContain&& may_contain, Visitor&& visit) const;
 
     // Marks a leaf for the walks below, or removes its mark. All marks must be removed before a leaf is marked,
-    // inserted, moved or removed again.
+    // inserted, moved or removed again. Several threads may mark leaves at the same time, or remove marks.
     void mark(Node leaf);
     void unmark(Node leaf);
 
@@ -117,6 +126,7 @@ private:
 
     Node allocate();
     void free(Node node);
+    void set_mark(Node leaf, bool value);
     Node best_sibling(const Aabb& box) const;
     void attach(Node leaf);
     void detach(Node leaf);

@@ -39,6 +39,12 @@ public:
             for (const T& value : lists_[i].values) visit(value);
     }
 
+    // Calls visit(list) for each list, at the same time; it may change the list.
+    template <class Visitor>
+    void for_each_list(Crew& crew, Visitor&& visit) {
+        crew.for_each(used_, 1, [&](std::size_t i) { visit(lists_[i].values); });
+    }
+
     // Removes the values for which predicate(value), called in order, is true.
     template <class Predicate>
     void erase_if(Predicate&& predicate) {

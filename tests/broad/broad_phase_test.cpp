@@ -83,10 +83,17 @@ Crew crew;  // this thread alone
 
 Aabb shifted(const Aabb& box, Vec2 by) { return {box.lower + by, box.upper + by}; }
 
-void move(BroadPhase& broad, const std::vector<BroadPhase::MovedProxy>& moved) {
+Crew three_threads() {
+    Threads threads;
+    threads.count = 3;
+    threads.least_work = 0;
+    return Crew(threads);
+}
+
+void move(BroadPhase& broad, const std::vector<BroadPhase::MovedProxy>& moved, Crew& movers = crew) {
     ChunkLists<BroadPhase::MovedProxy> lists;
-    lists.fill(crew, moved.size(), 1, [&](std::size_t i, auto& list) { list.push_back(moved[i]); });
-    broad.move(lists);
+    lists.fill(movers, moved.size(), 1, [&](std::size_t i, auto& list) { list.push_back(moved[i]); });
+    broad.move(lists, movers);
 }
 
 }  // namespace
@@ -160,6 +167,9 @@ TEST_CASE("a query of a tree that is as deep as a list finds all leaves") {
 }
 
 TEST_CASE("pairs are those of brute force through random edits, each reported once") {
+    Crew own_crew;
+    SUBCASE("on one thread") {}
+    SUBCASE("on three threads") { own_crew = three_threads(); }
     RandomBoxes boxes(2);
     BroadPhase broad;
     std::map<std::uint32_t, Proxy> live;
@@ -192,9 +202,10 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
             proxy.box = boxes.below(10) > 0 ? shifted(proxy.box, {0.05f, -0.05f}) : boxes.next();
             moved.push_back({key, proxy.box});
         }
-        move(broad, moved);
+        own_crew.work_together(moved.size(), [&] { move(broad, moved, own_crew); });
         broad.audit();
-        const std::vector<ProxyPair>& found = broad.find_new_pairs(accept_all, crew);
+        std::vector<ProxyPair> found;
+        own_crew.work_together(moved.size(), [&] { found = broad.find_new_pairs(accept_all, own_crew); });
         REQUIRE(std::is_sorted(found.begin(), found.end()));
         for (const ProxyPair pair : found) REQUIRE(known.insert(pair).second);
         reported += found.size();
@@ -208,6 +219,34 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
         broad.audit();
     }
     CHECK(reported > 1000);
+}
+
+TEST_CASE("leaves that move together are refitted where they are, one that leaves its sibling is inserted anew") {
+    AabbTree tree;
+    std::map<std::uint32_t, AabbTree::Node> leaves;
+    const Aabb unit{{0.0f, 0.0f}, {1.0f, 1.0f}};
+    for (std::uint32_t i = 0; i < 64; ++i)
+        leaves[i] = tree.insert(shifted(unit, {static_cast<float>(i % 8), static_cast<float>(i / 8)}), i);
+    const double cost = tree.cost();
+    const auto move_all = [&](Vec2 path, std::uint32_t stray) {
+        for (const auto& [key, leaf] : leaves)
+            CHECK_FALSE(tree.place(leaf, shifted(tree.box(leaf), key == stray ? -path : path)));
+        std::vector<AabbTree::Node> changed;
+        changed.reserve(64);
+        const std::size_t first = tree.list_changed(8, changed);
+        CHECK(changed.size() >= first + 8);
+        for (std::size_t i = first; i < changed.size(); ++i) tree.refit(changed[i]);
+        for (std::size_t i = first; i-- > 0;) tree.refit(changed[i]);
+        for (const auto& [key, leaf] : leaves) tree.reinsert_if_apart(leaf);
+        tree.audit();
+    };
+    move_all({128.0f, 256.0f}, 64);
+    CHECK(tree.cost() <= cost);
+    move_all({128.0f, 256.0f}, 17);
+    // The root alone covers the stray: below it are the others, whose cost is a little less without it.
+    const Vec2 span{256.0f + 8.0f, 512.0f + 8.0f};
+    CHECK(tree.cost() < cost + 2.0 * static_cast<double>(span.x + span.y));
+    CHECK(sorted_hits(tree, shifted(unit, {1.0f, 2.0f})).size() == 1);
 }
 
 TEST_CASE("a rejected pair is found again when one of its proxies is touched") {

@@ -11,9 +11,8 @@
 #include <set>
 #include <string>
 
-#include "dynamics/bodies/divergence.hpp"
 #include "support/world_of_all_kinds.hpp"
-#include "world/snapshot.hpp"
+#include "support/world_parts.hpp"
 #include "world/visit_members.hpp"
 
 using namespace tumble;
@@ -21,27 +20,11 @@ using namespace tumble::test;
 
 namespace {
 
-// A world taken apart into what a snapshot contains.
-struct Parts {
-    WorldDef def;
-    Simulation simulation;
-    std::uint64_t step_count = 0;
-    std::uint32_t diverged_body = kNoBody;
-
-    explicit Parts(const std::vector<std::byte>& bytes) {
-        read_snapshot(bytes, snapshot());
-        simulation.settings = make_settings(def);
-    }
-
-    SnapshotParts snapshot() { return {def, simulation, step_count, diverged_body}; }
-    std::vector<std::byte> save() { return write_snapshot(snapshot()); }
-
-    template <class Visitor>
-    void visit(Visitor& visitor) {
-        SimulationState& state = simulation;
-        visit_value(visitor, state);
-    }
-};
+template <class Visitor>
+void visit_state(WorldParts& parts, Visitor& visitor) {
+    SimulationState& state = parts.simulation;
+    visit_value(visitor, state);
+}
 
 // Calls change(value, member) for each number. A member's name is made of its positions in the lists of members; all
 // elements of a vector have the same.
@@ -119,13 +102,12 @@ template <class T>
 constexpr bool is_free = std::is_floating_point_v<T> || std::is_same_v<T, bool>;
 
 // Sets a member to a value in all of its owners.
-template <class Parts>
-void forget(Parts& parts, const std::string& member, int value) {
+void forget(WorldParts& parts, const std::string& member, int value) {
     Walk walk([&]<class T>(T& number, const std::string& name) {
         if constexpr (is_free<T>)
             if (name == member) number = static_cast<T>(value);
     });
-    parts.visit(walk);
+    visit_state(parts, walk);
 }
 
 // What a user observes of a world, as numbers.
@@ -213,16 +195,16 @@ constexpr std::size_t kStride = kHasChecks ? 61 : 1;
 
 TEST_CASE("each saved number changes the snapshot") {
     const std::vector<std::byte> saved = make_world_of_all_kinds().save();
-    REQUIRE(Parts(saved).save() == saved);
+    REQUIRE(WorldParts(saved).save() == saved);
     std::size_t count = 0;
     for (std::size_t target = 0; target <= count; target += kStride) {
         CAPTURE(target);
-        Parts parts(saved);
+        WorldParts parts(saved);
         count = 0;
         Walk walk([&](auto& number, const std::string&) {
             if (count++ == target) change_slightly(number);
         });
-        parts.visit(walk);
+        visit_state(parts, walk);
         if (target < count) CHECK(parts.save() != saved);
     }
     CHECK(count > 5000);
@@ -232,7 +214,7 @@ namespace {
 
 // True if a user notices that a member has this value, or the snapshot is refused.
 bool is_noticed(const std::vector<std::byte>& saved, const Transcript& whole, const std::string& member, int value) {
-    Parts parts(saved);
+    WorldParts parts(saved);
     forget(parts, member, value);
     const std::vector<std::byte> forgetful = parts.save();
     if (forgetful == saved) return false;
@@ -247,9 +229,9 @@ bool is_noticed(const std::vector<std::byte>& saved, const Transcript& whole, co
 // the lists of SimulationState, the others are positions within an element.
 constexpr const char* kUnnoticed[] = {
     // Reach, smallest extent and allow_sleep of a body: no body that is swept turns much, and none falls asleep twice.
-    ".4[].10", ".4[].11", ".6[].4", ".6[].5", ".6[].6",
+    ".4[].10", ".4[].11", ".6[].4", ".6[].5", ".6[].8",
     // The horizontal rest of a velocity: no body that flies has a horizontal acceleration.
-    ".6[].9",
+    ".6[].11",
     // Points of a chain beside a segment: no shape touches its corner.
     ".11[].17?.0", ".11[].17?.1", ".11[].17?.2", ".11[].17?.3", ".11[].17?.4",
     // Definitions of joints: collide_connected where the shapes do not touch, and limits that are not reached.
@@ -283,11 +265,11 @@ TEST_CASE("a user notices each member that is missing from the saved state" * do
     const Transcript whole = observe(saved);
     REQUIRE(observe(saved) == whole);
     std::set<std::string> members;
-    Parts parts(saved);
+    WorldParts parts(saved);
     Walk walk([&]<class T>(T&, const std::string& name) {
         if constexpr (is_free<T>) members.insert(name);
     });
-    parts.visit(walk);
+    visit_state(parts, walk);
     int noticed = 0;
     for (const std::string& member : members) {
         const bool is_needed = is_noticed(saved, whole, member, 0) || is_noticed(saved, whole, member, 1);

@@ -32,7 +32,7 @@ BodyId BodyStore::create(const BodyDef& def) {
     record.type = def.type;
     record.is_enabled = def.enabled;
     record.user_data = def.user_data;
-    record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
+    record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, {}, def.allow_sleep};
     if (def.allow_fast_rotation) record.flags |= kFastSpin;
     if (def.bullet) record.flags |= kBulletBody;
     if (def.locks.x) record.flags |= kLockX;
@@ -167,6 +167,7 @@ void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float sma
     TUMBLE_CHECK(reach >= 0.0f);
     BodyFrame& frame = frames[id.index];
     records[id.index].mass = mass;
+    records[id.index].motion.mass_center = mass.center;
     records[id.index].motion.reach = reach;
     records[id.index].motion.smallest_extent = smallest_extent;
     const Vec2 old_offset = frame.center_offset;

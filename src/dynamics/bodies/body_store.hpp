@@ -40,6 +40,7 @@ struct BodyMotion {
     float angular_damping = 0.0f;  // 1/s
     float reach = 0.0f;            // distance of the farthest point of its shapes from the centre of mass, m
     float smallest_extent = 0.0f;  // of its shapes that are not sensors, m; infinite if there are none
+    Vec2 mass_center;              // centre of mass, body coordinates
     bool allow_sleep = true;
     std::uint32_t only_shape = kNoShape;  // index, if it has exactly one: the list of shapes is in other cache lines
 };
@@ -128,6 +129,11 @@ public:
     const std::vector<JointId>& fewer_joints(std::uint32_t body_a, std::uint32_t body_b) const {
         const std::vector<JointId>&a = records[body_a].joints, &b = records[body_b].joints;
         return a.size() < b.size() ? a : b;
+    }
+    // For passes over the solver bodies that read their frames: loads the frame of a solver body that follows soon.
+    void prefetch_frame_after(std::size_t solver_body) const {
+        constexpr std::size_t kAhead = 8;
+        if (solver_body + kAhead < moving.size()) __builtin_prefetch(&frames[moving[solver_body + kAhead].body]);
     }
     int awake_dynamic_count() const { return awake_dynamic_count_; }
 

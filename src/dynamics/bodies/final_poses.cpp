@@ -66,7 +66,7 @@ bool finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) 
     frame.center += DVec2(body.delta_position);
     if (body.delta_rotation != Rotation{}) {
         frame.pose.rotation = turned(body.delta_rotation, frame.pose.rotation);
-        frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
+        frame.center_offset = rotate(frame.pose.rotation, bodies.moving[i].motion.mass_center);
     }
     frame.pose.position = frame.center - DVec2(frame.center_offset);
     body.flags &= ~std::uint32_t{kClampedBody | kPushedBody};
@@ -84,8 +84,10 @@ bool finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew) {
     std::atomic<bool> all_finite = !has_moved_static(bodies);
     crew.for_each_chunk(bodies.solver_bodies.size(), kLeastPoses, [&](const Chunk& chunk) {
         bool finite = true;
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            bodies.prefetch_frame_after(i);
             if (i != kStaticSolverBody) finite &= finalize_pose(bodies, i, limits);
+        }
         if (!finite) all_finite.store(false, std::memory_order_relaxed);
     });
     return all_finite;
