@@ -144,6 +144,19 @@ void BodyStore::wake(std::uint32_t body) {
     add_solver_body(body, {}, 0.0f);
 }
 
+void BodyStore::reorder(std::span<const std::uint32_t> order) {
+    TUMBLE_CHECK(order.size() == solver_bodies.size());
+    TUMBLE_CHECK(order[0] == kStaticSolverBody);
+    const std::vector<SolverBody> old_bodies = solver_bodies;
+    const std::vector<MovingBody> old_moving = moving;
+    for (std::uint32_t i = kStaticSolverBody + 1; i < order.size(); ++i) {
+        TUMBLE_CHECK(order[i] < old_bodies.size());
+        solver_bodies[i] = old_bodies[order[i]];
+        moving[i] = old_moving[order[i]];
+        frames[moving[i].body].solver_body = i;
+    }
+}
+
 bool BodyStore::is_active(std::uint32_t body) const {
     const std::uint32_t index = frames[body].solver_body;
     if (index == kStaticSolverBody) return false;

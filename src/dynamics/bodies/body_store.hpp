@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dynamics/bodies/id_pool.hpp"
@@ -106,6 +107,10 @@ public:
     // A dynamic body leaves the solver bodies, or joins them at rest. The caller updates its island.
     void put_to_sleep(std::uint32_t body);
     void wake(std::uint32_t body);
+
+    // Moves the solver bodies: the new i-th one is the old order[i]. `order` is a permutation that begins with the
+    // static one.
+    void reorder(std::span<const std::uint32_t> order);
 
     bool is_dynamic(std::uint32_t body) const { return frames[body].type == BodyType::dynamic_body; }
     bool is_asleep(std::uint32_t body) const {
