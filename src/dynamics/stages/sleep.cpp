@@ -10,6 +10,10 @@ namespace tumble {
 
 namespace {
 
+// In steps. Where some bodies rest on others that move, a search in each step would take a twentieth of the time of
+// bench/junkyard.
+constexpr std::uint32_t kPauseAfterSearch = 3;
+
 bool is_touching(const Contact& contact) { return contact.manifold.point_count > 0; }
 
 // True if some body has been slow for long enough.
@@ -150,7 +154,13 @@ std::vector<std::uint32_t> bodies_near(const Simulation& simulation, std::uint32
 
 void fall_asleep(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
-    if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
+    if (!simulation.settings.sleeping) return;
+    const bool any_is_ready = update_still_times(bodies, simulation.settings);
+    if (simulation.steps_to_island_search > 0) {
+        --simulation.steps_to_island_search;
+        return;
+    }
+    if (!any_is_ready) return;
     find_islands(simulation);
     keep_drifting_awake(simulation);
     IslandFinder& islands = simulation.scratch->islands;
@@ -160,7 +170,10 @@ void fall_asleep(Simulation& simulation) {
     bool any = false;
     for (std::uint32_t i = 1; i < bodies.moving.size() && !any; ++i)
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
-    if (!any) return;
+    if (!any) {
+        simulation.steps_to_island_search = kPauseAfterSearch;
+        return;
+    }
     put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
     for (const Sleeper& sleeper : simulation.scratch->sleepers)
         simulation.events.fell_asleep.push_back(bodies.ids.at(sleeper.body));

@@ -4,6 +4,9 @@
 // bodies has been slow for half a second (Tuning::time_to_sleep). An island that touches and is joined to no body at
 // rest must not drift either: nothing stops what moves through free space without damping. It wakes when an awake body
 // touches one of its bodies, or when the user changes a body that it rests on.
+//
+// After a search that finds no island at rest, the next three steps do not search: an island may fall asleep so much
+// later.
 #pragma once
 
 #include <cstdint>

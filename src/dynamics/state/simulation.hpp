@@ -61,6 +61,7 @@ struct SimulationState {
     // A shape of each contact that is kept for a step, because it touched, although its boxes are apart: indices.
     std::vector<std::uint32_t> kept_shapes;
     ChainCrossings chain_crossings;
+    std::uint32_t steps_to_island_search = 0;  // that do not search for islands at rest
     bool filters_changed = false;  // since the last step, by a joint, filter or type: contacts may have to end
 
     ChainContacts chain_contacts() const { return {bodies, shapes, contacts, chain_crossings}; }
