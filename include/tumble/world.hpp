@@ -37,10 +37,11 @@ namespace tumble {
 // A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
 //
 // Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
-// been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. An island that touches and is
-// joined to no body at rest stays awake while a body without damping moves in it. A sleeping island costs nothing in a
-// step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a force, a joint to an awake
-// body or, with contacts, a shape; and when a body that it rests on is moved, changed or destroyed.
+// been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale; if other bodies have been slow
+// for so long but could not fall asleep, up to three steps later. An island that touches and is joined to no body at
+// rest stays awake while a body without damping moves in it. A sleeping island costs nothing in a step. It wakes when
+// an awake body touches it; when one of its bodies gets a velocity, a force, a joint to an awake body or, with
+// contacts, a shape; and when a body that it rests on is moved, changed or destroyed.
 //
 // Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
 // their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and

@@ -36,9 +36,10 @@ void BroadPhase::move(ChunkLists<MovedProxy>& moved, Crew& crew) {
             own.box = proxy.box;
             tree(own.layer).prefetch(own.leaf);
         }
-        std::erase_if(proxies, [&](const MovedProxy& proxy) {
-            return tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box);
-        });
+        std::size_t far = 0;  // the number of proxies whose new box is apart from the old one: the list keeps them
+        for (const MovedProxy& proxy : proxies)
+            if (!tree(proxies_[proxy.key].layer).place(proxies_[proxy.key].leaf, proxy.box)) proxies[far++] = proxy;
+        proxies.resize(far);
     });
     for (AabbTree& tree : trees_) refit(tree, crew);
     moved.for_each(

@@ -33,7 +33,8 @@ public:
     void remove(std::uint32_t key);
 
     // Gives proxies, each once, other boxes, and touches them. Each node of a tree above them is refitted once, which
-    // saves 20 to 35 % of the time where most proxies move. `moved` is unspecified afterwards.
+    // saves 20 to 35 % of the time where most proxies move; then those that have left their old boxes and their
+    // siblings are inserted anew. `moved` is unspecified afterwards.
     void move(ChunkLists<MovedProxy>& moved, Crew& crew);
 
     // Makes the next search look for pairs of this proxy although its box is the same, as after a change of its filter.
@@ -110,7 +111,7 @@ private:
     static constexpr std::size_t kLeastMarks = 256;   // to set or to remove
     static constexpr std::size_t kLeastLeaves = 64;   // touched ones, for the walk of a tree
     static constexpr std::size_t kPartsOfChunk = 4;   // subtrees or pairs of them: some take longer than others
-    static constexpr std::size_t kNodesOfPart = 4;    // to be refitted above the parts, at most, and the part itself
+    static constexpr std::size_t kNodesOfPart = 4;    // room for a subtree and nodes above it, in changed_
 
     std::size_t parts_of_walk(const Crew& crew) const;
     void refit(AabbTree& tree, Crew& crew);

@@ -34,19 +34,20 @@ public:
     // node stays the same.
     void move(Node leaf, const Aabb& box);
 
-    // Many leaves move in three steps. place() gives a leaf another box; it returns false if that is apart from the old
-    // one. refit() then refits each node of a subtree above these leaves once. Until the whole tree is refitted,
-    // nothing else may be called. Last, the leaves for which place() was false are inserted anew if they have also left
-    // their siblings: those that fall side by side stay where they are. Several threads may place leaves, and then
-    // refit subtrees, at the same time.
+    // Many leaves move by these four calls, in this order; no other call may come between the first and the last
+    // refit(). Several threads may place leaves at the same time, and refit subtrees.
+    //
+    // Gives a leaf another box. Returns false if that is apart from the old one.
     bool place(Node leaf, const Aabb& box);
-    void refit(Node subtree);
-    void reinsert_if_apart(Node leaf);
-
     // Lists the nodes above placed leaves, level by level, until at least `parts` subtrees remain, or until the
-    // capacity of `nodes` is used up. Returns the index of the first that remains: these are to be refitted first, in
-    // any order, then those before them from the last to the first.
+    // capacity of `nodes` is used up: it allocates nothing. Returns the index of the first that remains: these are to
+    // be refitted first, in any order, then those before them from the last to the first.
     std::size_t list_changed(std::size_t parts, std::vector<Node>& nodes) const;
+    // Refits each node of a subtree above placed leaves once.
+    void refit(Node subtree);
+    // For a leaf for which place() was false: inserts it anew if it has also left its sibling. Leaves that fall side by
+    // side stay where they are.
+    void reinsert_if_apart(Node leaf);
 
     void prefetch(Node leaf) const { __builtin_prefetch(&at(leaf)); }  // starts to load what place() will read
     const Aabb& box(Node leaf) const { return at(leaf).box; }

@@ -52,8 +52,11 @@ void audit_motion(const Simulation& simulation, std::uint32_t body) {
     const bool has_one = record.shapes.size() == 1;
     ensure(record.motion.only_shape == (has_one ? record.shapes[0].index : kNoShape),
            "the only shape of a body is not in its list", body);
+    ensure(record.motion.mass_center == record.mass.center, "the motion of a body has another centre of mass", body);
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
     if (solver_body == kStaticSolverBody) return;
+    ensure(simulation.bodies.moving[solver_body].motion.mass_center == record.motion.mass_center,
+           "a moving body has another centre of mass", body);
     ensure(simulation.bodies.moving[solver_body].motion.only_shape == record.motion.only_shape,
            "a moving body has another only shape", body);
 }
@@ -189,6 +192,8 @@ void audit(const Simulation& simulation) {
     audit_shapes(simulation);
     audit_joints(simulation);
     audit_islands(simulation);
+    ensure(simulation.steps_to_island_search <= kPauseAfterSearch, "the search for islands at rest pauses too long",
+           simulation.steps_to_island_search);
     audit_contacts(simulation);
     if (const StepScratch* scratch = simulation.scratch.own()) scratch->contact_solver.audit();
 }

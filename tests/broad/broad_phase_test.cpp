@@ -10,7 +10,10 @@
 #include <set>
 #include <vector>
 
+#include "support/thread_tasks.hpp"
+
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -82,13 +85,6 @@ bool accept_all(ProxyPair) { return true; }
 Crew crew;  // this thread alone
 
 Aabb shifted(const Aabb& box, Vec2 by) { return {box.lower + by, box.upper + by}; }
-
-Crew three_threads() {
-    Threads threads;
-    threads.count = 3;
-    threads.least_work = 0;
-    return Crew(threads);
-}
 
 void move(BroadPhase& broad, const std::vector<BroadPhase::MovedProxy>& moved, Crew& movers = crew) {
     ChunkLists<BroadPhase::MovedProxy> lists;
@@ -169,7 +165,10 @@ TEST_CASE("a query of a tree that is as deep as a list finds all leaves") {
 TEST_CASE("pairs are those of brute force through random edits, each reported once") {
     Crew own_crew;
     SUBCASE("on one thread") {}
-    SUBCASE("on three threads") { own_crew = three_threads(); }
+    SUBCASE("on three threads") {
+        own_crew = Crew(eager_threads(3));
+        REQUIRE(own_crew.thread_count() == 3);
+    }
     RandomBoxes boxes(2);
     BroadPhase broad;
     std::map<std::uint32_t, Proxy> live;
@@ -227,6 +226,14 @@ TEST_CASE("leaves that move together are refitted where they are, one that leave
     const Aabb unit{{0.0f, 0.0f}, {1.0f, 1.0f}};
     for (std::uint32_t i = 0; i < 64; ++i)
         leaves[i] = tree.insert(shifted(unit, {static_cast<float>(i % 8), static_cast<float>(i / 8)}), i);
+    // The order in which a query visits leaves shows the links of the tree.
+    const auto all_hits = [&](Vec2 corner) {
+        std::vector<std::uint32_t> keys;
+        tree.query(shifted({{0.0f, 0.0f}, {8.0f, 8.0f}}, corner), [&](std::uint32_t key) { keys.push_back(key); });
+        return keys;
+    };
+    const std::vector<std::uint32_t> hits = all_hits({});
+    REQUIRE(hits.size() == 64);
     const double cost = tree.cost();
     const auto move_all = [&](Vec2 path, std::uint32_t stray) {
         for (const auto& [key, leaf] : leaves)
@@ -241,6 +248,7 @@ TEST_CASE("leaves that move together are refitted where they are, one that leave
         tree.audit();
     };
     move_all({128.0f, 256.0f}, 64);
+    CHECK(all_hits({128.0f, 256.0f}) == hits);
     CHECK(tree.cost() <= cost);
     move_all({128.0f, 256.0f}, 17);
     // The root alone covers the stray: below it are the others, whose cost is a little less without it.

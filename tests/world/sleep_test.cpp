@@ -1,6 +1,7 @@
 // Sleep: which bodies fall asleep and when, and that sleep costs nothing and changes nothing.
 #include <doctest/doctest.h>
 
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -58,6 +59,34 @@ TEST_CASE("a body without forces sleeps after half a second of rest, to the step
     CHECK(world.state(body).velocity == Vec2{});
     world.set_velocity(body, {0.051f, 0.0f}, 0.0f);
     CHECK(steps_until_asleep(world, body) == -1);
+}
+
+TEST_CASE("beside an island that cannot fall asleep, another one does at most three steps late, also after loading") {
+    const auto steps_to_sleep = [](bool has_restless, int created_at, bool reloads) {
+        World world;
+        add_floor(world);
+        if (has_restless) {
+            add_dynamic(world, {-5.0, 0.5}, make_box({1.0f, 1.0f}));
+            const BodyId restless = world.create_body({.pose = {{-5.0, 1.5}, {}}, .allow_sleep = false});
+            world.add_shape(restless, {.shape = make_box({1.0f, 1.0f})});
+        }
+        run(world, created_at);
+        const BodyId box = add_dynamic(world, {5.0, 0.5}, make_box({1.0f, 1.0f}));
+        int steps = 0;
+        for (; world.is_awake(box) && steps < 60; ++steps) {
+            if (reloads) world = World::load(world.save());
+            world.step();
+        }
+        return steps;
+    };
+    const int alone = steps_to_sleep(false, 60, false);
+    std::set<int> delays;
+    for (int created_at = 60; created_at < 68; ++created_at) {
+        const int steps = steps_to_sleep(true, created_at, false);
+        CHECK(steps_to_sleep(true, created_at, true) == steps);
+        delays.insert(steps - alone);
+    }
+    CHECK(delays == std::set{0, 1, 2, 3});
 }
 
 TEST_CASE("a body falls asleep only if its farthest point is slow") {

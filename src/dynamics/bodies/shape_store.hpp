@@ -65,7 +65,7 @@ public:
         TUMBLE_CHECK(index < records_.size());
         return records_[index];
     }
-    // Starts to load what new_box() will read.
+    // Starts to load what new_box() will read: the first 150 bytes of a record.
     void prefetch(std::uint32_t index) const {
         __builtin_prefetch(&records_[index]);
         __builtin_prefetch(reinterpret_cast<const char*>(&records_[index]) + 64);

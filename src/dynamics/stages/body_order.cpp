@@ -3,32 +3,39 @@
 #include <algorithm>
 #include <vector>
 
-#include "debug/check.hpp"
 #include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 
 namespace {
 
+// The caches of two threads hold fewer bodies in any order.
 constexpr std::size_t kLeastOrdered = 512;
 
-// True if most pairs of dynamic bodies that touch are in different sixteenths of the solver bodies. Along the curve it
-// is a fifth of them, in a pile of boxes that was built layer by layer a third.
-bool are_scattered(const Simulation& simulation) {
+// Pairs of dynamic bodies that touch. Two bodies are far apart if they are in different sixteenths of the solver
+// bodies: the constraint graph divides the work of a colour so.
+struct TouchingPairs {
+    std::size_t all = 0;
+    std::size_t far = 0;
+};
+
+// position(i) is where the solver body i is, or would be.
+template <class Position>
+TouchingPairs count_pairs(const Simulation& simulation, Position&& position) {
     const BodyStore& bodies = simulation.bodies;
     const std::size_t part_size = bodies.solver_bodies.size() / 16 + 1;
     const std::vector<Contact>& contacts = simulation.contacts.all();
-    std::size_t pairs = 0, far = 0;
+    TouchingPairs pairs;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         prefetch_after(contacts, i, 1);
         if (contacts[i].manifold.point_count == 0) continue;
         const std::uint32_t a = bodies.frames[contacts[i].body_a].solver_body;
         const std::uint32_t b = bodies.frames[contacts[i].body_b].solver_body;
-        if (a == kStaticSolverBody || b == kStaticSolverBody) continue;
-        ++pairs;
-        far += a / part_size != b / part_size;
+        if (!(bodies.solver_bodies[a].flags & bodies.solver_bodies[b].flags & kDynamicBody)) continue;
+        ++pairs.all;
+        pairs.far += position(a) / part_size != position(b) / part_size;
     }
-    return 2 * far > pairs;
+    return pairs;
 }
 
 // The 32 bits of x in the even bits of the result.
@@ -40,36 +47,47 @@ std::uint64_t spread_bits(std::uint64_t x) {
     return (x | x << 1) & 0x5555555555555555ull;
 }
 
-// The number of a point's cell along the curve. What is farther than 8000 km from the origin is in the outermost cells.
-std::uint64_t cell_on_curve(DVec2 point) {
-    constexpr double kCellsPerMeter = 256.0;
-    const auto cell = [](double x) {
-        return static_cast<std::uint64_t>(std::clamp(x * kCellsPerMeter + 0x1p31, 0.0, 0x1p32 - 1.0));
+// The number of a point's cell along the curve. The outermost cells contain what is farther away than 2^31 cells.
+std::uint64_t cell_on_curve(DVec2 point, double cell_size) {
+    const auto cell = [cell_size](double x) {
+        return static_cast<std::uint64_t>(std::min(std::max(0.0, x / cell_size + 0x1p31), 0x1p32 - 1.0));
     };
     return spread_bits(cell(point.x)) | spread_bits(cell(point.y)) << 1;
 }
 
-struct PlacedBody {
+struct CellOfBody {
     std::uint64_t cell = 0;
     std::uint32_t solver_body = 0;
 
-    friend auto operator<=>(const PlacedBody&, const PlacedBody&) = default;
+    friend auto operator<=>(const CellOfBody&, const CellOfBody&) = default;
 };
+
+// The solver bodies along the curve, after the static one.
+std::vector<std::uint32_t> order_on_curve(const Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    const auto cell_size = static_cast<double>(simulation.settings.tuning.max_speculative_distance);
+    std::vector<CellOfBody> cells;
+    cells.reserve(bodies.solver_bodies.size());
+    for (std::uint32_t i = kStaticSolverBody + 1; i < bodies.solver_bodies.size(); ++i)
+        cells.push_back({cell_on_curve(bodies.frames[bodies.moving[i].body].center, cell_size), i});
+    std::sort(cells.begin(), cells.end());
+    std::vector<std::uint32_t> order{kStaticSolverBody};
+    order.reserve(bodies.solver_bodies.size());
+    for (const CellOfBody& cell : cells) order.push_back(cell.solver_body);
+    return order;
+}
 
 }  // namespace
 
 void order_bodies(Simulation& simulation) {
-    BodyStore& bodies = simulation.bodies;
-    if (bodies.solver_bodies.size() < kLeastOrdered || !are_scattered(simulation)) return;
-    std::vector<PlacedBody> placed;
-    placed.reserve(bodies.solver_bodies.size());
-    for (std::uint32_t i = kStaticSolverBody + 1; i < bodies.solver_bodies.size(); ++i)
-        placed.push_back({cell_on_curve(bodies.frames[bodies.moving[i].body].center), i});
-    std::sort(placed.begin(), placed.end());
-    std::vector<std::uint32_t> order{kStaticSolverBody};
-    order.reserve(bodies.solver_bodies.size());
-    for (const PlacedBody& body : placed) order.push_back(body.solver_body);
-    bodies.reorder(order);
+    if (simulation.bodies.solver_bodies.size() < kLeastOrdered) return;
+    const TouchingPairs now = count_pairs(simulation, [](std::uint32_t i) { return i; });
+    if (2 * now.far <= now.all) return;
+    const std::vector<std::uint32_t> order = order_on_curve(simulation);
+    std::vector<std::uint32_t> position(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) position[order[i]] = i;
+    const TouchingPairs sorted = count_pairs(simulation, [&](std::uint32_t i) { return position[i]; });
+    if (2 * sorted.far <= now.far) simulation.bodies.reorder(order);
 }
 
 }  // namespace tumble

@@ -10,10 +10,6 @@ namespace tumble {
 
 namespace {
 
-// In steps. Where some bodies rest on others that move, a search in each step would take a twentieth of the time of
-// bench/junkyard.
-constexpr std::uint32_t kPauseAfterSearch = 3;
-
 bool is_touching(const Contact& contact) { return contact.manifold.point_count > 0; }
 
 // True if some body has been slow for long enough.
@@ -56,8 +52,8 @@ bool drifts(const SolverBody& body, const MovingBody& moving, float sleep_speed)
     return path + turn * motion.reach > kDriftPart * sleep_speed;
 }
 
-// Keeps islands awake that move through free space. Their drifting bodies count their still time anew: otherwise each
-// step would search for islands.
+// Keeps islands awake that move through free space. Their drifting bodies count their still time anew: otherwise the
+// search for islands would never end.
 void keep_drifting_awake(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
     IslandFinder& islands = simulation.scratch->islands;

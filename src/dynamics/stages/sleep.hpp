@@ -5,8 +5,8 @@
 // rest must not drift either: nothing stops what moves through free space without damping. It wakes when an awake body
 // touches one of its bodies, or when the user changes a body that it rests on.
 //
-// After a search that finds no island at rest, the next three steps do not search: an island may fall asleep so much
-// later.
+// After a search that finds no island at rest, the next three steps do not search. An island may therefore fall asleep
+// up to three steps later than its bodies allow, also if the search was in vain because of other islands.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Islands: a forest of disjoint sets of bodies [Galler, Fischer 1964] that contacts and joints connect, built anew
-// whenever a body may fall asleep.
+// for each search for islands at rest.
 //
 // The root of a set is its lowest body, so that the roots do not depend on the order of joining.
 #pragma once

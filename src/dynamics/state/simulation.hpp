@@ -45,6 +45,10 @@ inline StepSettings make_settings(const WorldDef& def) {
             def.continuous, def.joints, def.impacts,  make_tuning(def.scale, def.gravity, duration)};
 }
 
+// After a search for islands at rest that found none, so many steps do not search. Where some bodies rest on others
+// that move, a search in each step would take a twentieth of the time of bench/junkyard.
+inline constexpr std::uint32_t kPauseAfterSearch = 3;
+
 // All that decides the future of a world, and the events of its last step: what a snapshot contains.
 //
 // A plain aggregate, and the only list of these members. Snapshots and count_memory() find them through the compiler
@@ -61,7 +65,7 @@ struct SimulationState {
     // A shape of each contact that is kept for a step, because it touched, although its boxes are apart: indices.
     std::vector<std::uint32_t> kept_shapes;
     ChainCrossings chain_crossings;
-    std::uint32_t steps_to_island_search = 0;  // that do not search for islands at rest
+    std::uint32_t steps_to_island_search = 0;  // until it may begin: at most kPauseAfterSearch
     bool filters_changed = false;  // since the last step, by a joint, filter or type: contacts may have to end
 
     ChainContacts chain_contacts() const { return {bodies, shapes, contacts, chain_crossings}; }
