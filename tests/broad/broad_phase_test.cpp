@@ -86,6 +86,18 @@ Crew crew;  // this thread alone
 
 Aabb shifted(const Aabb& box, Vec2 by) { return {box.lower + by, box.upper + by}; }
 
+// Refits what is above placed leaves, in the order of list_changed(). Returns the number of subtrees.
+std::size_t refit_all(AabbTree& tree, std::size_t parts, std::size_t capacity) {
+    std::vector<AabbTree::Node> changed;
+    changed.reserve(capacity);
+    const std::size_t first = tree.list_changed(parts, changed);
+    CHECK(changed.size() <= capacity);
+    for (std::size_t i = first; i < changed.size(); ++i) tree.refit(changed[i]);
+    for (std::size_t i = first; i-- > 0;) tree.refit(changed[i]);
+    tree.audit();
+    return changed.size() - first;
+}
+
 void move(BroadPhase& broad, const std::vector<BroadPhase::MovedProxy>& moved, Crew& movers = crew) {
     ChunkLists<BroadPhase::MovedProxy> lists;
     lists.fill(movers, moved.size(), 1, [&](std::size_t i, auto& list) { list.push_back(moved[i]); });
@@ -160,6 +172,10 @@ TEST_CASE("a query of a tree that is as deep as a list finds all leaves") {
     CHECK(sorted_hits(tree, {{0.0f, 0.0f}, {0.0f, 0.0f}}).size() == n);
     CHECK(pairs_of(tree, leaves, [](std::uint32_t) { return true; }).size() == n * (n - 1) / 2);
     CHECK(pairs_of(tree, leaves, [](std::uint32_t key) { return key == n / 2; }).size() == n - 1);
+    for (const auto& [key, leaf] : leaves) CHECK(tree.place(leaf, tree.box(leaf)));
+    CHECK(refit_all(tree, 1000, 16) < 16);  // the list has no room for all nodes
+    CHECK(tree.place(leaves[n - 1], tree.box(leaves[n - 1])));
+    CHECK(refit_all(tree, 1000, 16) <= 1);
 }
 
 TEST_CASE("pairs are those of brute force through random edits, each reported once") {
@@ -238,12 +254,7 @@ TEST_CASE("leaves that move together are refitted where they are, one that leave
     const auto move_all = [&](Vec2 path, std::uint32_t stray) {
         for (const auto& [key, leaf] : leaves)
             CHECK_FALSE(tree.place(leaf, shifted(tree.box(leaf), key == stray ? -path : path)));
-        std::vector<AabbTree::Node> changed;
-        changed.reserve(64);
-        const std::size_t first = tree.list_changed(8, changed);
-        CHECK(changed.size() >= first + 8);
-        for (std::size_t i = first; i < changed.size(); ++i) tree.refit(changed[i]);
-        for (std::size_t i = first; i-- > 0;) tree.refit(changed[i]);
+        CHECK(refit_all(tree, 8, 64) >= 8);
         for (const auto& [key, leaf] : leaves) tree.reinsert_if_apart(leaf);
         tree.audit();
     };

@@ -9,11 +9,11 @@ namespace tumble {
 
 namespace {
 
-// The caches of two threads hold fewer bodies in any order.
+// Fewer bodies fit in the cache of a core, whatever their order.
 constexpr std::size_t kLeastOrdered = 512;
 
 // Pairs of dynamic bodies that touch. Two bodies are far apart if they are in different sixteenths of the solver
-// bodies: the constraint graph divides the work of a colour so.
+// bodies: the parts into which the constraint graph divides a colour.
 struct TouchingPairs {
     std::size_t all = 0;
     std::size_t far = 0;

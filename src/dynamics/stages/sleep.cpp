@@ -53,7 +53,7 @@ bool drifts(const SolverBody& body, const MovingBody& moving, float sleep_speed)
 }
 
 // Keeps islands awake that move through free space. Their drifting bodies count their still time anew: otherwise the
-// search for islands would never end.
+// search for islands would be repeated for ever.
 void keep_drifting_awake(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
     IslandFinder& islands = simulation.scratch->islands;
