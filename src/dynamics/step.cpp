@@ -16,6 +16,7 @@
 #include "dynamics/continuous/immovable_bounds.hpp"
 #include "dynamics/continuous/ordered_impacts.hpp"
 #include "dynamics/continuous/sensor_crossings.hpp"
+#include "dynamics/stages/body_order.hpp"
 #include "dynamics/stages/events.hpp"
 #include "dynamics/stages/seams.hpp"
 #include "dynamics/stages/sleep.hpp"
@@ -167,13 +168,14 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
 
 }  // namespace
 
-bool step(Simulation& simulation) {
+bool step(Simulation& simulation, std::uint64_t earlier_steps) {
     simulation.report.times = StageTimes{};
     const std::size_t amount = amount_of_work(simulation);
     StageClock clock(amount >= kLeastTimed);
     clear(simulation.events);
     Crew& crew = simulation.crew;
     bool is_finite = false;
+    if (earlier_steps % kStepsBetweenOrders == 0) order_bodies(simulation);
     crew.work_together(amount, [&] { begin_step(simulation, clock); });
     crew.work_together(amount, [&] { solve(simulation, clock); });
     collide_continuously(simulation);

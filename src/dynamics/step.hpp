@@ -4,13 +4,15 @@
 // each constraint once with a soft bias and once without.
 #pragma once
 
+#include <cstdint>
+
 namespace tumble {
 
 struct Simulation;
 
-// Advances by one step. Returns false if find_diverged() now finds a body that is not finite: the stages after the
-// final poses were skipped, and the simulation cannot go on.
-bool step(Simulation& simulation);
+// Advances by one step, before which there were `earlier_steps`. Returns false if find_diverged() now finds a body that
+// is not finite: the stages after the final poses were skipped, and the simulation cannot go on.
+bool step(Simulation& simulation, std::uint64_t earlier_steps);
 
 // Stages of step(), in order; those of collision.hpp, dynamics/stages and dynamics/continuous come between. README.md
 // has the whole list.

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/stages/body_order.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "dynamics/step.hpp"
 #include "tasks/crew.hpp"
@@ -65,8 +64,7 @@ void World::set_gravity(Vec2 gravity) {
 
 void World::Impl::step() {
     if (diverged_body == kNoBody) {
-        if (step_count % kStepsBetweenOrders == 0) order_bodies(simulation);
-        const bool is_finite = tumble::step(simulation);
+        const bool is_finite = tumble::step(simulation, step_count);
         for (const JointId id : simulation.events.broken_joints)
             if (simulation.joints.ids.is_live(id))  // a broken gear may be destroyed already, with one of its joints
                 destroy_joint(id);

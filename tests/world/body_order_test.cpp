@@ -113,8 +113,8 @@ TEST_CASE("a world whose bodies are put in order moves as one whose bodies are n
                 reversed[k] = static_cast<std::uint32_t>(reversed.size()) - k;
             ordered.bodies.reorder(reversed);
         }
-        REQUIRE(step(kept));
-        REQUIRE(step(ordered));
+        REQUIRE(step(kept, 1));  // no step that sorts
+        REQUIRE(step(ordered, 1));
         REQUIRE(are_equal(kept, ordered));
     }
 }

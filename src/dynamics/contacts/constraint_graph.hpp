@@ -26,6 +26,11 @@ class ConstraintGraph {
 public:
     static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
+    // The solver bodies have parts: the regions, or if there is one region, this number of them. The contacts of a
+    // colour are in the order of the parts: a thread works on a part of each colour and of the bodies, and threads then
+    // share few bodies. On two threads, a step of smash takes 4 % less.
+    static constexpr std::uint32_t kParts = 16;
+
     // Groups the contacts that are solved into blocks of kLaneCount lanes: those with points that do not bounce.
     // Divides the bodies into regions of at least `least_region` bodies.
     void build(std::span<const Contact> contacts, const BodyStore& bodies, Crew& crew,
@@ -89,11 +94,6 @@ public:
 private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
-    // The solver bodies have parts: the regions, or if there is one region, this number of them. The contacts of a
-    // colour are in the order of the parts: a thread works on a part of each colour and of the bodies, and threads then
-    // share few bodies. On two threads, a step of smash takes 4 % less.
-    static constexpr std::uint32_t kParts = 16;
-
     // The input of the colouring: one Candidate for each contact, one Mover for each solver body.
     struct Candidate {
         std::uint32_t body_a = 0;  // index

@@ -12,8 +12,8 @@ namespace {
 // Fewer bodies fit in the cache of a core, whatever their order.
 constexpr std::size_t kLeastOrdered = 512;
 
-// Pairs of dynamic bodies that touch. Two bodies are far apart if they are in different sixteenths of the solver
-// bodies: the parts into which the constraint graph divides a colour.
+// Pairs of dynamic bodies that touch. Two bodies are far apart if they are in different parts of the solver bodies, by
+// which the constraint graph groups the contacts of a colour.
 struct TouchingPairs {
     std::size_t all = 0;
     std::size_t far = 0;
@@ -23,7 +23,7 @@ struct TouchingPairs {
 template <class Position>
 TouchingPairs count_pairs(const Simulation& simulation, Position&& position) {
     const BodyStore& bodies = simulation.bodies;
-    const std::size_t part_size = bodies.solver_bodies.size() / 16 + 1;
+    const std::size_t part_size = bodies.solver_bodies.size() / ConstraintGraph::kParts + 1;
     const std::vector<Contact>& contacts = simulation.contacts.all();
     TouchingPairs pairs;
     for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -11,15 +11,14 @@ namespace tumble {
 
 struct Simulation;
 
-// The search for scattered bodies takes as long as a small stage of a step: the world calls it once in so many steps.
-// StageTimes do not contain it.
+// The search for scattered bodies takes as long as a small stage of a step: it runs once in so many steps.
 inline constexpr std::uint64_t kStepsBetweenOrders = 16;
 
-// Sorts the solver bodies along a Morton curve through their centres of mass [Morton 1966] if they are scattered: if
-// most pairs of dynamic bodies that touch are far apart in memory, and the curve halves the number of these. Allocates
-// if they are scattered. Two threads then need 30 % less time for the sub-steps of bench/spinner, and 20 % less for
-// those of bench/junkyard; one thread needs up to 10 % less. Pyramids and grids keep the order of their creation, with
-// which they are 10 to 25 % faster.
+// A stage of the step: sorts the solver bodies along a Morton curve through their centres of mass [Morton 1966] if they
+// are scattered: if most pairs of dynamic bodies that touch are far apart in memory, and the curve halves the number of
+// these. Allocates if they are scattered. Two threads then need 30 % less time for the sub-steps of bench/spinner, and
+// 20 % less for those of bench/junkyard; one thread needs up to 10 % less. Pyramids and grids keep the order of their
+// creation, with which they are 10 to 25 % faster.
 void order_bodies(Simulation& simulation);
 
 }  // namespace tumble
