@@ -128,7 +128,7 @@ TEST_CASE("a contact skips free colours, but never the last one") {
 
 // A thread works on a part of each colour and of the solver bodies: it shall be the same part.
 TEST_CASE("the contacts of a colour are in the order of parts of the solver bodies") {
-    Tangle tangle(6, 64, 200);
+    Tangle tangle(6, 320, 1000);
     std::ranges::reverse(tangle.contacts);
     tangle.graph.build(tangle.contacts, tangle.bodies, crew);
     std::set<std::size_t> parts;
@@ -140,14 +140,15 @@ TEST_CASE("the contacts of a colour are in the order of parts of the solver bodi
                 const Contact& contact = tangle.contacts[index];
                 const bool has_a = tangle.bodies.is_dynamic(contact.body_a);
                 const std::uint32_t body = tangle.bodies.frames[has_a ? contact.body_a : contact.body_b].solver_body;
-                const std::size_t part = std::size_t{16} * body / tangle.bodies.solver_bodies.size();
+                const std::size_t part =
+                    std::size_t{ConstraintGraph::kParts} * body / tangle.bodies.solver_bodies.size();
                 CHECK(part >= last);
                 last = part;
                 parts.insert(part);
             }
         }
     }
-    CHECK(parts.size() == 16);
+    CHECK(parts.size() == ConstraintGraph::kParts);
 }
 
 // They depend on each other, so that their order decides the result.

@@ -241,12 +241,13 @@ constexpr const char* kUnnoticed[] = {
     // Working data of the kinds of joints, which prepare() and update_rows() derive from definitions and poses.
     ".20[].", ".23[].", ".26[].", ".29[].", ".32[].", ".35[].", ".38[].", ".41[].", ".44[].",
     // Contacts, awake and asleep: anchors, is_new, is_bouncing, is_struck, is_touching, was_hit, the approach and the
-    // distance of the surfaces are set before they are read. No shape that sleeps is round or bounces.
+    // distance of the surfaces are set before they are read. No shape that sleeps is round or bounces. Contacts that
+    // are woken share their blocks with others that have extras.
     ".67[].9", ".67[].10", ".67[].15", ".67[].16", ".67[].30", ".67[].31", ".67[].32", ".67[].33", ".67[].36",
     ".67[].37", ".67[].38", ".67[].39", ".67[].40", ".67[].41", ".67[].50", ".67[].56", ".67[].77", ".69[].1[].9",
     ".69[].1[].10", ".69[].1[].15", ".69[].1[].16", ".69[].1[].30", ".69[].1[].31", ".69[].1[].32", ".69[].1[].33",
     ".69[].1[].36", ".69[].1[].37", ".69[].1[].38", ".69[].1[].39", ".69[].1[].40", ".69[].1[].41", ".69[].1[].56",
-    ".69[].1[].77", ".69[].1[].79", ".69[].1[].82",
+    ".69[].1[].77", ".69[].1[].79", ".69[].1[].82", ".69[].1[].86",
     // Chain crossings before and in the step: they only skip a search that would find nothing.
     ".84", ".85"};
 

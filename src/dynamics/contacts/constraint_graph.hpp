@@ -26,9 +26,9 @@ class ConstraintGraph {
 public:
     static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
-    // The solver bodies have parts: the regions, or if there is one region, this number of them. The contacts of a
-    // colour are in the order of the parts: a thread works on a part of each colour and of the bodies, and threads then
-    // share few bodies. On two threads, a step of smash takes 4 % less.
+    // The solver bodies have parts: the regions, or if there is one region of many bodies, this number of them. The
+    // contacts of a colour are in the order of the parts: a thread works on a part of each colour and of the bodies,
+    // and threads then share few bodies. On two threads, a step of smash takes 4 % less.
     static constexpr std::uint32_t kParts = 16;
 
     // Groups the contacts that are solved into blocks of kLaneCount lanes: those with points that do not bounce.
