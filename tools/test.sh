@@ -5,7 +5,7 @@
 #   python    the Python package, installed from its wheel into a virtual environment: its tests, types
 #   sanitize  clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same state hashes after each
 #             step and the same parity results; the tests of the rooms that keep stores, of the command line (each
-#             twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
+#             24th shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
 #             random sequences of calls in Python
 #   threads   clang, thread sanitizer: the tests of threads
 #   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
@@ -16,8 +16,9 @@
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
 # tools/test.sh --full [STAGE...] does the same with a million pairs of each parity family, ten minutes for each fuzz
 # target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on several threads, long
-# searches and a hundred thousand random sequences of calls in Python, and its API reference; it also installs the Debian
-# package in a bare Debian 12, with packages from the sources of apt.
+# searches and a hundred thousand random sequences of calls in Python, and its API reference. It also tests the calls
+# between sources, each compiled alone, and installs the Debian package in a bare Debian 12, with packages from the
+# sources of apt.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -112,6 +113,11 @@ test_release() {
     build_release
     say "running all tests"
     "${as_root[@]}" ctest --preset ci --parallel "$jobs"
+    [[ -n ${TUMBLE_LONG-} ]] || return 0
+    say "testing the calls between sources, each compiled alone"
+    cmake --preset ci -B build/apart -DTUMBLE_JOIN_SOURCES=OFF > build/apart.log 2>&1 || { cat build/apart.log >&2; return 1; }
+    cmake --build build/apart --parallel "$jobs" --target test_house
+    build/apart/tests/test_house
 }
 
 test_python() {
@@ -130,7 +136,7 @@ test_sanitize() {
     compare_hashes mixed_rain 2
     compare_parity 20000
     say "running tests and the fuzz targets with sanitizers"
-    TUMBLE_ONE_OF=12 "${as_root[@]}" ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+    TUMBLE_ONE_OF=24 "${as_root[@]}" ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
     say "running random sequences of calls in Python with sanitizers"
     TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 500 || echo 100000) TUMBLE_BUILD=$project/build/ci \
         tools/python.sh --sanitized

@@ -66,7 +66,7 @@ ExitCode list_codes(const Command& command) {
 }
 
 // The code as messages and shells show it: without the brackets of a message, in lower case, exit-7 for 7.
-std::string code_of(std::string text) {
+std::string normalized_code(std::string text) {
     if (text.size() > 1 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
     for (char& letter : text)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
@@ -76,7 +76,7 @@ std::string code_of(std::string text) {
 
 ExitCode explain_code(const Command& command, const std::string& asked) {
     if (asked.empty()) return list_codes(command);
-    const std::string code = code_of(asked);
+    const std::string code = normalized_code(asked);
     const ProblemPage* const page = find_problem(code);
     if (page == nullptr) {
         std::vector<std::string_view> codes;
