@@ -5,7 +5,7 @@
 #   python    the Python package, installed from its wheel into a virtual environment: its tests, types
 #   sanitize  clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same state hashes after each
 #             step and the same parity results; the tests of the rooms that keep stores, of the command line (each
-#             24th shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
+#             twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
 #             random sequences of calls in Python
 #   threads   clang, thread sanitizer: the tests of threads
 #   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
@@ -136,7 +136,7 @@ test_sanitize() {
     compare_hashes mixed_rain 2
     compare_parity 20000
     say "running tests and the fuzz targets with sanitizers"
-    TUMBLE_ONE_OF=24 "${as_root[@]}" ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+    TUMBLE_ONE_OF=12 "${as_root[@]}" ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
     say "running random sequences of calls in Python with sanitizers"
     TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 500 || echo 100000) TUMBLE_BUILD=$project/build/ci \
         tools/python.sh --sanitized
