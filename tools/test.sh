@@ -115,8 +115,7 @@ test_release() {
     "${as_root[@]}" ctest --preset ci --parallel "$jobs"
     [[ -n ${TUMBLE_LONG-} ]] || return 0
     say "testing the calls between sources, each compiled alone"
-    cmake --preset ci -B build/apart -DTUMBLE_JOIN_SOURCES=OFF > build/apart.log 2>&1 || { cat build/apart.log >&2; return 1; }
-    cmake --build build/apart --parallel "$jobs" --target test_house
+    build apart tumble_pages test_house
     build/apart/tests/test_house
 }
 

@@ -152,11 +152,26 @@ void run_on(World& world, int steps, Transcript& transcript) {
     }
 }
 
+// Pushes each sleeping body while all others sleep, so that its contacts share no block with those of others.
+void push_sleepers(const std::vector<std::byte>& saved, Transcript& transcript) {
+    World world = World::load(saved);
+    const std::vector<BodyId> bodies(world.bodies().begin(), world.bodies().end());
+    std::vector<BodyId> sleepers;
+    std::ranges::copy_if(bodies, std::back_inserter(sleepers), [&](BodyId id) { return !world.is_awake(id); });
+    for (const BodyId id : sleepers) {
+        for (const BodyId other : bodies) world.set_awake(other, false);
+        world.set_awake(id, true);
+        world.set_velocity(id, {1.0f, 0.0f}, -1.0f);
+        run_on(world, 2, transcript);
+    }
+}
+
 // Continues for some steps. The edits between them need what no step reads: definitions, materials, sleeping contacts.
 Transcript observe(const std::vector<std::byte>& saved) {
     World world = World::load(saved);
     Transcript transcript;
     transcript.add(world);
+    push_sleepers(saved, transcript);
     run_on(world, 3, transcript);
     for (int i = 0; i < 6; ++i) {  // over and through the chain
         const BodyId ball = add_dynamic(world, {2.2 + 0.6 * i, i % 2 == 0 ? 1.7 : 0.6}, make_circle(0.25f));
@@ -241,13 +256,12 @@ constexpr const char* kUnnoticed[] = {
     // Working data of the kinds of joints, which prepare() and update_rows() derive from definitions and poses.
     ".20[].", ".23[].", ".26[].", ".29[].", ".32[].", ".35[].", ".38[].", ".41[].", ".44[].",
     // Contacts, awake and asleep: anchors, is_new, is_bouncing, is_struck, is_touching, was_hit, the approach and the
-    // distance of the surfaces are set before they are read. No shape that sleeps is round or bounces. Contacts that
-    // are woken share their blocks with others that have extras.
+    // distance of the surfaces are set before they are read. No shape that sleeps is round or bounces.
     ".67[].9", ".67[].10", ".67[].15", ".67[].16", ".67[].30", ".67[].31", ".67[].32", ".67[].33", ".67[].36",
     ".67[].37", ".67[].38", ".67[].39", ".67[].40", ".67[].41", ".67[].50", ".67[].56", ".67[].77", ".69[].1[].9",
     ".69[].1[].10", ".69[].1[].15", ".69[].1[].16", ".69[].1[].30", ".69[].1[].31", ".69[].1[].32", ".69[].1[].33",
     ".69[].1[].36", ".69[].1[].37", ".69[].1[].38", ".69[].1[].39", ".69[].1[].40", ".69[].1[].41", ".69[].1[].56",
-    ".69[].1[].77", ".69[].1[].79", ".69[].1[].82", ".69[].1[].86",
+    ".69[].1[].77", ".69[].1[].79", ".69[].1[].82",
     // Chain crossings before and in the step: they only skip a search that would find nothing.
     ".84", ".85"};
 

@@ -15,7 +15,8 @@ namespace tumble {
 
 namespace {
 
-// Solver bodies, that have several parts: to walk the groups of fewer would be 4 % of a step of car_on_hills.
+// The least number of solver bodies that have kParts parts. To walk the empty groups of fewer bodies would be 4 % of a
+// step of car_on_hills.
 constexpr std::size_t kLeastInParts = 256;
 
 constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
