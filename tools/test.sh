@@ -5,8 +5,8 @@
 #   python    the Python package, installed from its wheel into a virtual environment: its tests, types
 #   sanitize  clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same state hashes after each
 #             step and the same parity results; the tests of the rooms that keep stores, of the command line (each
-#             twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
-#             random sequences of calls in Python
+#             twelfth shipped scene and row of physics; without sweeps and searches) and of the golden hashes; each fuzz
+#             target for a short time; random sequences of calls in Python
 #   threads   clang, thread sanitizer: the tests of threads
 #   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
 #             hashes
@@ -15,10 +15,10 @@
 #   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
 # tools/test.sh --full [STAGE...] does the same with a million pairs of each parity family, ten minutes for each fuzz
-# target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on several threads, long
-# searches and a hundred thousand random sequences of calls in Python, and its API reference. It also tests the calls
-# between sources, each compiled alone, and installs the Debian package in a bare Debian 12, with packages from the
-# sources of apt.
+# target, the tests of sweeps, of searches and of the world and ten thousand random worlds with sanitizers, a thousand on
+# several threads, long searches and a hundred thousand random sequences of calls in Python, and its API reference. It
+# also tests the calls between sources, each compiled alone, and installs the Debian package in a bare Debian 12, with
+# packages from the sources of apt.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -135,7 +135,10 @@ test_sanitize() {
     compare_hashes mixed_rain 2
     compare_parity 20000
     say "running tests and the fuzz targets with sanitizers"
-    TUMBLE_ONE_OF=12 "${as_root[@]}" ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+    local without=(--exclude-regex '^tools_long$')
+    [[ -z ${TUMBLE_LONG-} ]] || without=()
+    TUMBLE_ONE_OF=12 "${as_root[@]}" ctest --preset sanitize "${without[@]}" \
+        --label-regex "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
     say "running random sequences of calls in Python with sanitizers"
     TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 500 || echo 100000) TUMBLE_BUILD=$project/build/ci \
         tools/python.sh --sanitized
