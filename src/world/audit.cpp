@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dynamics/bodies/divergence.hpp"
+#include "dynamics/contacts/recycling.hpp"
 #include "dynamics/joints/gear_side.hpp"
 #include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/state/collision_rules.hpp"
@@ -121,7 +122,7 @@ void audit_reference(const Simulation& simulation, const Contact& contact, std::
     ensure(reference.reach_a == simulation.shapes[contact.shapes.a].reach &&
                reference.reach_b == simulation.shapes[contact.shapes.b].reach,
            "the reaches of a reference are not those of its shapes", i);
-    ensure(reference.tolerance == std::max(kRecyclingPart * contact.speculative_distance, reference.gap),
+    ensure(reference.tolerance == recycling_tolerance(contact),
            "the tolerance of a reference is not that of its contact", i);
 }
 

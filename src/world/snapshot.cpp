@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 constexpr char kMagic[8] = {'t', 'u', 'm', 'b', 'l', 'e', 'W', '\n'};
 
 // To be raised with every change of the saved members, anywhere in the state.
-constexpr std::uint32_t kVersion = 16;
+constexpr std::uint32_t kVersion = 17;
 
 constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 

@@ -79,6 +79,12 @@ void set_manifold(Contact& contact, const Manifold& manifold) {
     contact.manifold = manifold;
 }
 
+// ManifoldReference::edge_of for a contact with points.
+float touched_edge(const Contact& contact) {
+    if (contact.radius_a != 0.0f || contact.radius_b != 0.0f) return -1.0f;
+    return static_cast<float>(static_cast<int>(contact.cache.reference_side) - static_cast<int>(Side::a));
+}
+
 void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
     const Manifold manifold = collide_posed(a, b, contact, contact.speculative_distance, displacement);
     set_manifold(contact, manifold);
@@ -93,7 +99,8 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     reference.reach_a = a.record.reach;
     reference.reach_b = b.record.reach;
     reference.gap = manifold.point_count > 0 ? 0.0f : gap;
-    reference.tolerance = std::max(kRecyclingPart * contact.speculative_distance, reference.gap);
+    reference.edge_of = manifold.point_count > 0 && !is_with_chain ? touched_edge(contact) : -1.0f;
+    reference.tolerance = recycling_tolerance(contact);
     reference.manifold = manifold;
 }
 

@@ -1,10 +1,12 @@
 #include "dynamics/contacts/recycling.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/body_lanes.hpp"
+#include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/contact.hpp"
 
 namespace tumble {
@@ -30,7 +32,7 @@ struct ManifoldLanes {
 struct ReferenceLanes {
     LaneTurn rotation_a, rotation_b;
     Lanes reach_a, reach_b;
-    Lanes tolerance;
+    Lanes tolerance, edge_of;
 };
 
 // How two bodies have moved since the reference. The poses are those of the bodies' origins.
@@ -60,10 +62,10 @@ Sources find_sources(std::span<Contact* const> contacts, const BodyStore& bodies
 
 TUMBLE_LANE_FUNCTION ReferenceLanes gather_references(const Sources& sources) {
     constexpr std::size_t kFirst = offsetof(Contact, reference) + offsetof(ManifoldReference, rotation_a);
-    static_assert(offsetof(ManifoldReference, gap) == offsetof(ManifoldReference, rotation_a) + 28);
+    static_assert(offsetof(ManifoldReference, edge_of) == offsetof(ManifoldReference, rotation_a) + 28);
     Lanes fields[8];
     gather_members(sources.contact, kFirst, fields);
-    return {{fields[0], fields[1]}, {fields[2], fields[3]}, fields[4], fields[5], fields[6]};
+    return {{fields[0], fields[1]}, {fields[2], fields[3]}, fields[4], fields[5], fields[6], fields[7]};
 }
 
 TUMBLE_LANE_FUNCTION ManifoldLanes gather_manifolds(const Sources& sources) {
@@ -123,29 +125,35 @@ TUMBLE_LANE_FUNCTION Lanes greatest_displacement(const ReferenceLanes& reference
     return select_less(Lanes::Zero(), turn.c, moved, Lanes::Constant(std::numeric_limits<float>::infinity()));
 }
 
-// Moves the points with the bodies. Absent points stay as they are.
-TUMBLE_LANE_FUNCTION void move(ManifoldLanes& manifold, const MotionSince& motion) {
-    const Lanes zero = Lanes::Zero();
+// Moves the points with the bodies. A sharp corner that touches an edge takes its point along, on both bodies, so that
+// the bodies push each other at one point; other points move with each of the bodies. Absent points stay as they are.
+TUMBLE_LANE_FUNCTION void move(ManifoldLanes& manifold, const MotionSince& motion, const Lanes& edge_of) {
+    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
     const LaneVector from = manifold.normal;
-    const LaneTurn& turn = motion.turn_a;
+    const LaneTurn turn{select_less(zero, edge_of, motion.turn_b.c, motion.turn_a.c),
+                        select_less(zero, edge_of, motion.turn_b.s, motion.turn_a.s)};
     const LaneVector normal{turn.c * from.x - turn.s * from.y, turn.s * from.x + turn.c * from.y};
     manifold.normal = {select_less(zero, manifold.point_count, normal.x, from.x),
                        select_less(zero, manifold.point_count, normal.y, from.y)};
+    const Lanes follows_a = select_less(zero, edge_of, one, zero);
+    const Lanes follows_b = select_less(edge_of, zero, zero, one - follows_a);
     for (int i = 0; i < 2; ++i) {
         PointLanes& point = manifold.points[i];
         const LaneVector change_a = displacement(motion.turn_a, point.anchor_a);
         const LaneVector change_b = displacement(motion.turn_b, point.anchor_b);
         const Lanes parted_x = motion.shift.x + (change_b.x - change_a.x);
         const Lanes parted_y = motion.shift.y + (change_b.y - change_a.y);
+        const Lanes opened = parted_x * normal.x + parted_y * normal.y;
+        const Lanes half = 0.5f * opened * (follows_b - follows_a);  // the point stays half way between the surfaces
         const Lanes index = Lanes::Constant(static_cast<float>(i));
         const auto add = [&](Lanes& value, const Lanes& change) {
             value = select_less(index, manifold.point_count, value + change, value);
         };
-        add(point.anchor_a.x, change_a.x);
-        add(point.anchor_a.y, change_a.y);
-        add(point.anchor_b.x, change_b.x);
-        add(point.anchor_b.y, change_b.y);
-        add(point.separation, parted_x * normal.x + parted_y * normal.y);
+        add(point.anchor_a.x, change_a.x + (follows_b * parted_x - half * normal.x));
+        add(point.anchor_a.y, change_a.y + (follows_b * parted_y - half * normal.y));
+        add(point.anchor_b.x, change_b.x - (follows_a * parted_x + half * normal.x));
+        add(point.anchor_b.y, change_b.y - (follows_a * parted_y + half * normal.y));
+        add(point.separation, opened);
     }
 }
 
@@ -177,6 +185,11 @@ TUMBLE_LANE_FUNCTION void scatter_manifolds(const ManifoldLanes& moved, const So
 
 }  // namespace
 
+float recycling_tolerance(const Contact& contact) {
+    const float part = contact.reference.edge_of < 0.0f ? kRecyclingPart : kSharpRecyclingPart;
+    return std::max(part * contact.speculative_distance, contact.reference.gap);
+}
+
 TUMBLE_LANE_KERNEL Recycling recycle(std::span<Contact* const> contacts, const BodyStore& bodies) {
     TUMBLE_CHECK(!contacts.empty());
     TUMBLE_CHECK(contacts.size() <= std::size_t{kLaneCount});
@@ -192,7 +205,7 @@ TUMBLE_LANE_KERNEL Recycling recycle(std::span<Contact* const> contacts, const B
     result.recycled &= (1u << contacts.size()) - 1u;
     if (result.recycled == 0) return result;
     ManifoldLanes manifolds = gather_manifolds(sources);
-    move(manifolds, motion);
+    move(manifolds, motion, reference.edge_of);
     scatter_manifolds(manifolds, sources, result.recycled);
     return result;
 }

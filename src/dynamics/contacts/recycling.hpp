@@ -3,7 +3,8 @@
 // as much as it was apart.
 //
 // The result follows from the manifold and poses of the last full collision, never from a recycled manifold, so that
-// errors do not accumulate: they are those of features fixed on bodies that move by less than the tolerance.
+// errors do not accumulate: they are those of features fixed on bodies that move by less than the tolerance. For a sharp
+// corner on an edge the recycled manifold is that of a full collision, as long as the same corner is on the edge.
 #pragma once
 
 #include <span>
@@ -22,6 +23,9 @@ struct Recycling {
     // have turned by a quarter of a turn. Without meaning if the reference is not valid.
     float moved[kLaneCount];
 };
+
+// How far the shapes of a contact may move relative to each other until the next full collision, m, by its reference.
+float recycling_tolerance(const Contact& contact);
 
 // Recycles the manifolds of those of up to eight contacts (at least one) whose shapes have moved by no more than their
 // tolerance. The other contacts stay as they are.

@@ -127,6 +127,8 @@ bool note_bounce(const Simulation& simulation, Contact& contact) {
     contact.is_bouncing = contact.is_struck = false;
     for (int i = 0; i < contact.manifold.point_count; ++i)
         contact.is_bouncing |= approach_speed(contact, contact.manifold.points[i], simulation.bodies) > least;
+    // The solver, which would replace those of the last step, may leave it out.
+    if (contact.is_bouncing) contact.applied[0] = contact.applied[1] = {};
     return contact.is_bouncing;
 }
 
