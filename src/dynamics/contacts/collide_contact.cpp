@@ -111,11 +111,16 @@ Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float
     return duration * (b.velocity - a.velocity);
 }
 
+// A circle has one point.
+int most_points(const PosedShape& a, const PosedShape& b) {
+    return a.record.shape.vertex_count() == 1 || b.record.shape.vertex_count() == 1 ? 1 : 2;
+}
+
 // Returns true if the contact has a predicted manifold now. Poses later in the step decide that one, so that it is not
 // recycled. The shapes are at least `gap` (m) farther apart than the points of a manifold.
 bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, float gap, const BodyStore& bodies,
                 const StepAhead& step) {
-    if (contact.manifold.point_count == 2) return false;
+    if (contact.manifold.point_count == most_points(a, b)) return false;
     const Manifold manifold = predict_manifold(contact, a, b, gap, bodies, step);
     if (manifold.point_count == 0) return false;
     set_manifold(contact, manifold);
