@@ -84,6 +84,7 @@ std::span<const CollidedChunk> collide_contacts_from(Simulation& simulation, std
         Contact* eight[kLaneCount];
         std::size_t used = 0;
         for (std::size_t i = first + chunk.begin; i < first + chunk.end; ++i) {
+            prefetch_reference_after(contacts, i);
             if (contacts[i].kind == ContactKind::solid) eight[used++] = &contacts[i];
             if (used < std::size_t{kLaneCount}) continue;
             collide_eight(simulation, eight, contacts.data(), own);

@@ -91,11 +91,23 @@ inline void prefetch(const Contact& contact, std::size_t lines) {
         __builtin_prefetch(reinterpret_cast<const char*>(&contact) + line * kCacheLine);
 }
 
-// For passes that read a few members of each contact: loads the lines of a contact that follows soon. The hardware does
-// not foresee such strides well: events and colours take up to a quarter less time where the contacts fill 19 MB.
+// Passes over all contacts start to load this many contacts ahead. The hardware does not foresee such strides well:
+// where the contacts fill 19 MB, events and colours take a quarter less time, and with 8 ahead 4 % of the step more.
+inline constexpr std::size_t kContactsAhead = 16;
+
+// For passes that read a few members of each contact: loads the first lines of a contact that follows soon.
 inline void prefetch_after(std::span<const Contact> contacts, std::size_t index, std::size_t lines) {
-    constexpr std::size_t kAhead = 8;
-    if (index + kAhead < contacts.size()) prefetch(contacts[index + kAhead], lines);
+    if (index + kContactsAhead < contacts.size()) prefetch(contacts[index + kContactsAhead], lines);
+}
+
+// The same for recycling: the first line and the two of the reference. Saves 35 % of the time of collisions of
+// large_pyramid, and a tenth of the step of junkyard.
+inline void prefetch_reference_after(std::span<const Contact> contacts, std::size_t index) {
+    if (index + kContactsAhead >= contacts.size()) return;
+    const Contact& ahead = contacts[index + kContactsAhead];
+    prefetch(ahead, 1);
+    __builtin_prefetch(&ahead.reference);
+    __builtin_prefetch(&ahead.reference.gap);
 }
 
 // The tangent of a contact normal: the normal turned clockwise. With B on top of A it points to the right.
