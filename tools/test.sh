@@ -5,8 +5,8 @@
 #   python    the Python package, installed from its wheel into a virtual environment: its tests, types
 #   sanitize  clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same state hashes after each
 #             step and the same parity results; the tests of the rooms that keep stores, of the command line (each
-#             twelfth shipped scene and row of physics; without sweeps and searches) and of the golden hashes; each fuzz
-#             target for a short time; random sequences of calls in Python
+#             twelfth shipped scene and row of physics; without sweeps, searches and the examples of its page) and of the
+#             golden hashes; each fuzz target for a short time; random sequences of calls in Python
 #   threads   clang, thread sanitizer: the tests of threads
 #   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
 #             hashes

@@ -17,8 +17,8 @@ struct ManifoldReference {
     // How far the shapes may move relative to each other until the next full collision, m. Negative: the reference is
     // not valid, and the next collision is full.
     float tolerance = -1.0f;
-    // Whose edge the other's sharp corners touch: 0 for A, 1 for B, -1 for other contacts and without points. A float, as
-    // lanes gather it with the members above.
+    // Whose edge the other's sharp corners touch: 0 for A, 1 for B, -1 for other contacts and without points. A float,
+    // as lanes gather it with the members above.
     float edge_of = -1.0f;
     float gap = 0.0f;  // without points: by how much the distance exceeds the speculative distance, m
 

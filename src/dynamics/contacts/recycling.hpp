@@ -3,8 +3,8 @@
 // as much as it was apart.
 //
 // The result follows from the manifold and poses of the last full collision, never from a recycled manifold, so that
-// errors do not accumulate: they are those of features fixed on bodies that move by less than the tolerance. For a sharp
-// corner on an edge the recycled manifold is that of a full collision, as long as the same corner is on the edge.
+// errors do not accumulate: they are those of features fixed on bodies that move by less than the tolerance. For a
+// sharp corner on an edge the recycled manifold is that of a full collision, as long as the same corner is on the edge.
 #pragma once
 
 #include <span>
