@@ -119,10 +119,15 @@ void audit_reference(const Simulation& simulation, const Contact& contact, std::
     ensure(reference.manifold.point_count >= 0 && reference.manifold.point_count <= 2,
            "the manifold of a reference has fewer than 0 or more than 2 points", i);
     if (reference.tolerance < 0.0f) return;
-    ensure(reference.reach_a == simulation.shapes[contact.shapes.a].reach &&
-               reference.reach_b == simulation.shapes[contact.shapes.b].reach,
+    const ShapeRecord& a = simulation.shapes[contact.shapes.a];
+    const ShapeRecord& b = simulation.shapes[contact.shapes.b];
+    ensure(reference.reach_a == a.reach && reference.reach_b == b.reach,
            "the reaches of a reference are not those of its shapes", i);
-    ensure(reference.tolerance == recycling_tolerance(contact),
+    const bool may_be_sharp = reference.manifold.point_count > 0 && contact.radius_a == 0.0f &&
+                              contact.radius_b == 0.0f && !a.link && !b.link;
+    ensure(reference.corners == -1.0f || (may_be_sharp && reference.corners >= 0.0f && reference.corners < 8.0f),
+           "a reference names sharp corners that its shapes do not have", i);
+    ensure(reference.tolerance == recycling_tolerance(contact, smaller_extent(a, b)),
            "the tolerance of a reference is not that of its contact", i);
 }
 

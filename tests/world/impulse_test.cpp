@@ -17,7 +17,8 @@ namespace {
 const Shape kBox = make_box({1.0f, 1.0f});
 constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
 
-// m: how far the points of a recycled contact, each fixed on its body, have come apart: a fortieth of 2 cm.
+// m: how far the points of a recycled contact of round shapes, each fixed on its body, have come apart: a fortieth of
+// 2 cm.
 constexpr double kRecycled = 0.02 / 40.0;
 
 double sum_of_normals(const World& world) {

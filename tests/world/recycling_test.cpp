@@ -48,3 +48,42 @@ TEST_CASE("a pair that comes near is collided again in time") {
         CHECK(near((at.x - at.y) / std::sqrt(2.0), 0.35, absolute(0.01)));
     }
 }
+
+namespace {
+
+// Full collisions in a second of a shape that slides without friction, 0.9 mm in a step, on a shape that is made before
+// or after it. It starts in contact.
+std::int64_t collisions_of_slide(const Shape& on, double height, const Shape& sliding, bool is_made_first) {
+    WorldDef def;
+    def.sleeping = false;
+    World world(def);
+    const SurfaceMaterial smooth{.friction = 0.0f};
+    BodyId body;
+    if (is_made_first) body = add_dynamic(world, {0.0, height}, sliding, smooth);
+    add_static(world, {}, on, smooth);
+    if (!is_made_first) body = add_dynamic(world, {0.0, height}, sliding, smooth);
+    run(world, 30);
+    world.set_velocity(body, {0.054f, 0.0f}, 0.0f);
+    std::int64_t collided = 0;
+    for (int i = 0; i < 60; ++i) {
+        world.step();
+        CHECK(world.contacts().size() == (sliding.vertex_count() == 1 ? 1 : 2));
+        collided += world.counters().collided;
+    }
+    return collided;
+}
+
+}  // namespace
+
+TEST_CASE("sharp corners that slide on an edge are collided each 5 mm, other contacts each half millimetre") {
+    const Shape floor = make_box({10.0f, 1.0f}), post = make_box({0.4f, 1.0f}), box = make_box({1.0f, 1.0f});
+    for (const bool is_made_first : {false, true}) {
+        CAPTURE(is_made_first);
+        // The first of the 60 collisions is before the first displacement of 0.9 mm.
+        CHECK(collisions_of_slide(floor, 1.0, box, is_made_first) == 59 / 6);
+        CHECK(collisions_of_slide(post, 1.0, box, is_made_first) == 59 / 6);
+        CHECK(collisions_of_slide(floor, 0.54, make_box({0.08f, 0.08f}), is_made_first) == 59 / 3);
+        CHECK(collisions_of_slide(floor, 1.0, make_box({1.0f, 1.0f}, 0.1f), is_made_first) == 59);
+        CHECK(collisions_of_slide(floor, 1.0, make_circle(0.5f), is_made_first) == 59);
+    }
+}

@@ -54,11 +54,13 @@ inline constexpr float kSpeculativeDistance = 0.02f;
 inline constexpr float kSpeculativePart = 0.1f;
 
 // A manifold is recycled while the relative displacement of its shapes is less than this part of the speculative
-// distance: 0.5 mm for bodies of 1 m, and 5 mm if an edge touches corners without a radius, which are fixed points of
-// their bodies. Larger: contact points lag behind round shapes, or leave the ends of edges. Smaller: more full
-// collisions.
+// distance: 0.5 mm for bodies of 1 m. Larger: contact points lag behind the shapes. Smaller: more full collisions.
 inline constexpr float kRecyclingPart = 0.025f;
+
+// The same where sharp corners touch an edge, as they are fixed points of their bodies: 5 mm for bodies of 1 m, and at
+// most a part of the smaller extent. Larger: corners beyond the end of an edge stay on it.
 inline constexpr float kSharpRecyclingPart = 0.25f;
+inline constexpr float kSharpRecyclingExtentPart = 0.025f;
 
 // The margin of a box in the tree around its shape (m; part of the smaller extent). Larger: more pairs to collide.
 // Smaller: more updates of the tree.

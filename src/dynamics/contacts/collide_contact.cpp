@@ -79,10 +79,28 @@ void set_manifold(Contact& contact, const Manifold& manifold) {
     contact.manifold = manifold;
 }
 
-// ManifoldReference::edge_of for a contact with points.
-float touched_edge(const Contact& contact) {
-    if (contact.radius_a != 0.0f || contact.radius_b != 0.0f) return -1.0f;
-    return static_cast<float>(static_cast<int>(contact.cache.reference_side) - static_cast<int>(Side::a));
+bool is_sharp(const Shape& shape) { return shape.radius() == 0.0f && shape.vertex_count() <= Shape::kInlineVertices; }
+
+// True if a point is at a vertex of the shape.
+bool is_at(const PosedShape& shape, unsigned vertex, Vec2 anchor, const Contact& contact) {
+    const Vec2 corner = rotate(shape.world_from_body.rotation, shape.record.shape.vertex(static_cast<int>(vertex)));
+    return std::abs(cross(contact.manifold.normal, corner - anchor)) < 0.01f * contact.speculative_distance;
+}
+
+// ManifoldReference::corners.
+float find_corners(const Contact& contact, const PosedShape& a, const PosedShape& b) {
+    const Manifold& manifold = contact.manifold;
+    const Side side = contact.cache.reference_side;
+    const bool are_sharp = is_sharp(a.record.shape) && is_sharp(b.record.shape) && !a.record.link && !b.record.link;
+    if (!are_sharp || manifold.point_count == 0 || side == Side::none) return -1.0f;
+    int corners = side == Side::b ? 4 : 0;
+    for (int i = 0; i < manifold.point_count; ++i) {
+        const ManifoldPoint& point = manifold.points[i];
+        const bool is_corner = side == Side::a ? is_at(b, point.feature & 0xffffu, point.anchor_b, contact)
+                                               : is_at(a, point.feature >> 16, point.anchor_a, contact);
+        if (!is_corner) corners += 1 + i;
+    }
+    return static_cast<float>(corners);
 }
 
 void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
@@ -99,8 +117,8 @@ void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b,
     reference.reach_a = a.record.reach;
     reference.reach_b = b.record.reach;
     reference.gap = manifold.point_count > 0 ? 0.0f : gap;
-    reference.edge_of = manifold.point_count > 0 && !is_with_chain ? touched_edge(contact) : -1.0f;
-    reference.tolerance = recycling_tolerance(contact);
+    reference.corners = find_corners(contact, a, b);
+    reference.tolerance = recycling_tolerance(contact, smaller_extent(a.record, b.record));
     reference.manifold = manifold;
 }
 
@@ -117,7 +135,7 @@ int most_points(const PosedShape& a, const PosedShape& b) {
 }
 
 // Returns true if the contact has a predicted manifold now. Poses later in the step decide that one, so that it is not
-// recycled. The shapes are at least `gap` (m) farther apart than the points of a manifold.
+// recycled. `gap` is that of predict_manifold().
 bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, float gap, const BodyStore& bodies,
                 const StepAhead& step) {
     if (contact.manifold.point_count == most_points(a, b)) return false;

@@ -17,9 +17,10 @@ struct ManifoldReference {
     // How far the shapes may move relative to each other until the next full collision, m. Negative: the reference is
     // not valid, and the next collision is full.
     float tolerance = -1.0f;
-    // Whose edge the other's sharp corners touch: 0 for A, 1 for B, -1 for other contacts and without points. A float,
-    // as lanes gather it with the members above.
-    float edge_of = -1.0f;
+    // Where sharp corners touch an edge: the sum of 4 if the edge is B's, and 1 for the first and 2 for the second
+    // point if it is at an end of the edge, so that the corner is that of the edge's owner. -1 for other contacts and
+    // without points. A float, as lanes gather it with the members above.
+    float corners = -1.0f;
     float gap = 0.0f;  // without points: by how much the distance exceeds the speculative distance, m
 
     void invalidate() { tolerance = -1.0f; }

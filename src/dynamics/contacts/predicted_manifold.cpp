@@ -56,7 +56,7 @@ Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShap
                           const BodyStore& bodies, const StepAhead& step) {
     const FreeMotion of_a = free_motion(bodies, contact.body_a, step), of_b = free_motion(bodies, contact.body_b, step);
     const float moved = relative_displacement(a, of_a, b, of_b);
-    if (!(moved > std::max(contact.speculative_distance, gap))) return {};
+    if (!(moved > std::max(contact.speculative_distance + std::min(gap, 0.0f), gap))) return {};
     const float reach = contact.speculative_distance + moved;
     if (contact.manifold.point_count > 0) return collide_posed(a, b, contact, reach, of_b.path - of_a.path);
     // Most pairs move in parallel or apart: one distance rules them out.

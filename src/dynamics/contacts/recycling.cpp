@@ -32,7 +32,7 @@ struct ManifoldLanes {
 struct ReferenceLanes {
     LaneTurn rotation_a, rotation_b;
     Lanes reach_a, reach_b;
-    Lanes tolerance, edge_of;
+    Lanes tolerance, corners;
 };
 
 // How two bodies have moved since the reference. The poses are those of the bodies' origins.
@@ -62,7 +62,7 @@ Sources find_sources(std::span<Contact* const> contacts, const BodyStore& bodies
 
 TUMBLE_LANE_FUNCTION ReferenceLanes gather_references(const Sources& sources) {
     constexpr std::size_t kFirst = offsetof(Contact, reference) + offsetof(ManifoldReference, rotation_a);
-    static_assert(offsetof(ManifoldReference, edge_of) == offsetof(ManifoldReference, rotation_a) + 28);
+    static_assert(offsetof(ManifoldReference, corners) == offsetof(ManifoldReference, rotation_a) + 28);
     Lanes fields[8];
     gather_members(sources.contact, kFirst, fields);
     return {{fields[0], fields[1]}, {fields[2], fields[3]}, fields[4], fields[5], fields[6], fields[7]};
@@ -127,18 +127,25 @@ TUMBLE_LANE_FUNCTION Lanes greatest_displacement(const ReferenceLanes& reference
 
 // Moves the points with the bodies. A sharp corner that touches an edge takes its point along, on both bodies, so that
 // the bodies push each other at one point; other points move with each of the bodies. Absent points stay as they are.
-TUMBLE_LANE_FUNCTION void move(ManifoldLanes& manifold, const MotionSince& motion, const Lanes& edge_of) {
+TUMBLE_LANE_FUNCTION void move(ManifoldLanes& manifold, const MotionSince& motion, const Lanes& corners) {
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    const auto is_above = [&](const Lanes& value, float least) {
+        return select_less(Lanes::Constant(least), value, one, zero);
+    };
+    // The parts of ManifoldReference::corners, 1 or 0.
+    const Lanes is_sharp = is_above(corners, -0.5f), is_edge_of_b = is_above(corners, 3.5f);
+    const Lanes ends = corners - 4.0f * is_edge_of_b;
+    const Lanes second_is_end = is_above(ends, 1.5f), first_is_end = is_above(ends - 2.0f * second_is_end, 0.5f);
     const LaneVector from = manifold.normal;
-    const LaneTurn turn{select_less(zero, edge_of, motion.turn_b.c, motion.turn_a.c),
-                        select_less(zero, edge_of, motion.turn_b.s, motion.turn_a.s)};
+    const LaneTurn turn{select_less(zero, is_edge_of_b, motion.turn_b.c, motion.turn_a.c),
+                        select_less(zero, is_edge_of_b, motion.turn_b.s, motion.turn_a.s)};
     const LaneVector normal{turn.c * from.x - turn.s * from.y, turn.s * from.x + turn.c * from.y};
     manifold.normal = {select_less(zero, manifold.point_count, normal.x, from.x),
                        select_less(zero, manifold.point_count, normal.y, from.y)};
-    const Lanes follows_a = select_less(zero, edge_of, one, zero);
-    const Lanes follows_b = select_less(edge_of, zero, zero, one - follows_a);
     for (int i = 0; i < 2; ++i) {
         PointLanes& point = manifold.points[i];
+        const Lanes follows_a = is_sharp * (is_edge_of_b - (i == 0 ? first_is_end : second_is_end)).abs();
+        const Lanes follows_b = is_sharp - follows_a;
         const LaneVector change_a = displacement(motion.turn_a, point.anchor_a);
         const LaneVector change_b = displacement(motion.turn_b, point.anchor_b);
         const Lanes parted_x = motion.shift.x + (change_b.x - change_a.x);
@@ -185,9 +192,11 @@ TUMBLE_LANE_FUNCTION void scatter_manifolds(const ManifoldLanes& moved, const So
 
 }  // namespace
 
-float recycling_tolerance(const Contact& contact) {
-    const float part = contact.reference.edge_of < 0.0f ? kRecyclingPart : kSharpRecyclingPart;
-    return std::max(part * contact.speculative_distance, contact.reference.gap);
+float recycling_tolerance(const Contact& contact, float smaller_extent) {
+    const float least = std::max(kRecyclingPart * contact.speculative_distance, contact.reference.gap);
+    if (contact.reference.corners < 0.0f) return least;
+    return std::max(least, std::min(kSharpRecyclingPart * contact.speculative_distance,
+                                    kSharpRecyclingExtentPart * smaller_extent));
 }
 
 TUMBLE_LANE_KERNEL Recycling recycle(std::span<Contact* const> contacts, const BodyStore& bodies) {
@@ -205,7 +214,7 @@ TUMBLE_LANE_KERNEL Recycling recycle(std::span<Contact* const> contacts, const B
     result.recycled &= (1u << contacts.size()) - 1u;
     if (result.recycled == 0) return result;
     ManifoldLanes manifolds = gather_manifolds(sources);
-    move(manifolds, motion, reference.edge_of);
+    move(manifolds, motion, reference.corners);
     scatter_manifolds(manifolds, sources, result.recycled);
     return result;
 }

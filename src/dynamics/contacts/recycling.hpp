@@ -4,7 +4,8 @@
 //
 // The result follows from the manifold and poses of the last full collision, never from a recycled manifold, so that
 // errors do not accumulate: they are those of features fixed on bodies that move by less than the tolerance. For a
-// sharp corner on an edge the recycled manifold is that of a full collision, as long as the same corner is on the edge.
+// sharp corner on an edge the recycled manifold is that of a full collision, as long as the same corner is on the edge;
+// at the end of a reference edge it differs by the displacement times the angle between the edges.
 #pragma once
 
 #include <span>
@@ -25,7 +26,8 @@ struct Recycling {
 };
 
 // How far the shapes of a contact may move relative to each other until the next full collision, m, by its reference.
-float recycling_tolerance(const Contact& contact);
+// `smaller_extent` is that of the shapes, m.
+float recycling_tolerance(const Contact& contact, float smaller_extent);
 
 // Recycles the manifolds of those of up to eight contacts (at least one) whose shapes have moved by no more than their
 // tolerance. The other contacts stay as they are.
