@@ -18,6 +18,9 @@ using namespace tumble::test;
 
 namespace {
 
+// From -size to size.
+double value(std::mt19937& random, double size) { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); }
+
 // Recycles the manifold of a contact between the bodies 0 and 1 at two poses.
 Recycling recycle_at(Contact& contact, const Pose& a, const Pose& b) {
     BodyStore bodies;
@@ -200,7 +203,6 @@ struct TwoBoxes {
 
     // Returns false if the full collision takes another reference edge, so that there is nothing to compare.
     bool check(std::mt19937& random) const {
-        const auto value = [&](double size) { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
         Contact contact;
         ManifoldReference& reference = contact.reference;
         const Pose of_flat{}, of_box{position, make_rotation(angle)};
@@ -212,11 +214,11 @@ struct TwoBoxes {
         reference.offset = flat_is_a ? position : -position;
         (flat_is_a ? reference.rotation_b : reference.rotation_a) = of_box.rotation;
         reference.tolerance = 0.02f;
-        const double turn = value(3.0);
-        const Pose flat_now{{value(5.0), value(5.0)}, make_rotation(turn)};
-        const DVec2 position_now = position + DVec2{value(0.004), value(0.004)};
+        const double turn = value(random, 3.0);
+        const Pose flat_now{{value(random, 5.0), value(random, 5.0)}, make_rotation(turn)};
+        const DVec2 position_now = position + DVec2{value(random, 0.004), value(random, 0.004)};
         const Pose box_now{flat_now.position + rotate(flat_now.rotation, position_now),
-                           make_rotation(turn + angle + value(0.005))};
+                           make_rotation(turn + angle + value(random, 0.005))};
         CHECK(recycle_at(contact, flat_is_a ? flat_now : box_now, flat_is_a ? box_now : flat_now).recycled == 1);
         const Manifold exact = find(flat_now, box_now, cache);
         if (cache.reference_side != edge) return false;
@@ -239,9 +241,8 @@ TEST_CASE("a corner on an edge is recycled to what a full collision finds") {
     for (int motion = 0; motion < 100; ++motion) {
         CAPTURE(motion);
         std::mt19937 random(static_cast<unsigned>(motion));
-        const auto value = [&](double size) { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
-        const DVec2 position{0.3 + value(0.4), 0.5 * std::sqrt(2.0) + 0.5 + value(0.003)};
-        CHECK(TwoBoxes{motion % 2 == 0, position, 0.25 * kPi + value(0.1), -9.0, 1e-6}.check(random));
+        const DVec2 position{0.3 + value(random, 0.4), 0.5 * std::sqrt(2.0) + 0.5 + value(random, 0.003)};
+        CHECK(TwoBoxes{motion % 2 == 0, position, 0.25 * kPi + value(random, 0.1), -9.0, 1e-6}.check(random));
     }
 }
 
@@ -250,19 +251,23 @@ TEST_CASE("a brick over the end of another one is recycled to what a full collis
     for (int motion = 0; motion < 100; ++motion) {
         CAPTURE(motion);
         std::mt19937 random(static_cast<unsigned>(motion));
-        const auto value = [&](double size) { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
         // A point at the end of the reference edge slides along the other's edge, which leans by up to 8 mrad: 6 mm of
         // that raise it by 0.05 mm.
-        compared +=
-            TwoBoxes{motion % 2 == 0, {1.2 + value(0.2), 1.0 + value(0.003)}, value(0.003), 1.0, 6e-5}.check(random);
+        compared += TwoBoxes{motion % 2 == 0,
+                             {1.2 + value(random, 0.2), 1.0 + value(random, 0.003)},
+                             value(random, 0.003),
+                             1.0,
+                             6e-5}
+                        .check(random);
     }
     CHECK(compared > 40);
 }
 
 TEST_CASE("eight contacts in lanes are recycled as each of them is in plain float") {
     std::mt19937 random(7);
-    const auto value = [&](double size) { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
-    const auto vector = [&] { return Vec2{static_cast<float>(value(1.0)), static_cast<float>(value(1.0))}; };
+    const auto vector = [&] {
+        return Vec2{static_cast<float>(value(random, 1.0)), static_cast<float>(value(random, 1.0))};
+    };
     int recycled = 0, all = 0;
     for (std::size_t round = 0; round < 80; ++round) {
         const std::size_t count = 1 + round % kLaneCount;
@@ -274,16 +279,18 @@ TEST_CASE("eight contacts in lanes are recycled as each of them is in plain floa
             contact.body_b = contact.body_a + 1;
             bodies.frames.resize(bodies.frames.size() + 2);
             for (std::uint32_t body = contact.body_a; body <= contact.body_b; ++body)
-                bodies.frames[body].pose = {{1000.0 + value(1.0), value(1.0)}, make_rotation(value(1.0))};
+                bodies.frames[body].pose = {{1000.0 + value(random, 1.0), value(random, 1.0)},
+                                            make_rotation(value(random, 1.0))};
             if (random() % 16 == 0) bodies.frames[contact.body_a].pose.position.x = std::nan("");
             if (random() % 16 == 0) bodies.frames[contact.body_b].pose.rotation = {-1.0f, 0.0f};
             ManifoldReference& reference = contact.reference;
-            reference.offset = {value(1.0), random() % 4 == 0 ? -0.0 : value(1.0)};
+            reference.offset = {value(random, 1.0), random() % 4 == 0 ? -0.0 : value(random, 1.0)};
             reference.manifold.point_count = static_cast<int>(random() % 3);
             reference.manifold.normal = vector();
             for (ManifoldPoint& point : reference.manifold.points)
-                point = {vector(), vector(), static_cast<float>(value(0.1)), static_cast<std::uint32_t>(random())};
-            reference.rotation_b = make_rotation(value(0.1));
+                point = {vector(), vector(), static_cast<float>(value(random, 0.1)),
+                         static_cast<std::uint32_t>(random())};
+            reference.rotation_b = make_rotation(value(random, 0.1));
             reference.reach_a = random() % 2 == 0 ? 1.0f : 2.0f;
             reference.reach_b = 1.5f;
             reference.tolerance = random() % 8 == 0 ? std::numeric_limits<float>::infinity() : 2.0f;

@@ -27,9 +27,9 @@ struct StepAhead {
 
 // The manifold from A to B with separations and anchors of the start of the step. Without points if the shapes do not
 // touch in the step, or move by less than the speculative distance: then the contact's own manifold serves. A contact
-// that has one point gets the others that the motion may reach. The shapes are at their present poses. What
-// has no point yet is farther apart than the speculative distance by at least `gap` (m), which is negative for a
-// contact that has moved since it was collided in full.
+// that has one point gets the others that the motion may reach. The shapes are at their present poses. Their features
+// that have no point are farther apart than the speculative distance by at least `gap` (m). It is negative for a
+// contact that has moved since its last full collision.
 Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShape& b, float gap,
                           const BodyStore& bodies, const StepAhead& step);
 
